@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "drawing/paint.h"
+#include "geometry/path.h"
+
+namespace edaha {
+
+// The 2D picture between growth and the writers. Contract, asserted by check(Drawing):
+//   - millimetres, y down, origin at the page's top left; every point inside the page;
+//   - paths are absolute move/line/cubic/close, finite, without zero-length segments; filled
+//     subpaths are closed, and positively oriented outlines come first in a compound path;
+//   - paint order is list order; paint that a node leaves unset is its parent's;
+//   - ids are unique, non-empty for layers and symbols, and XML names: [A-Za-z][A-Za-z0-9._-]*.
+struct Shape {
+    std::string id;  // may be empty: the writers then give none
+    Path path;
+    Paint paint;
+};
+
+// An instance of a symbol: page_from_symbol maps the symbol's own coordinates.
+struct Use {
+    std::uint32_t symbol = 0;  // index into Drawing::symbols
+    Affine page_from_symbol{1, 0, 0, 1, 0, 0};
+    Paint paint;
+};
+
+struct Element;
+
+struct Group {
+    std::string id;
+    Paint paint;
+    std::vector<Element> children;
+};
+
+struct Element : std::variant<Shape, Use, Group> {
+    using variant::variant;
+};
+
+// A drawing used many times (a leaf). Shapes whose fill is unset take the instance's.
+struct Symbol {
+    std::string id;
+    std::vector<Shape> shapes;
+};
+
+// `id` is the label with everything but letters, digits, . _ - replaced by `-`.
+struct Layer {
+    std::string label;  // as a person would name it: "Leaves behind"
+    Paint paint;
+    std::vector<Element> children;
+
+    std::string id() const;
+};
+
+// What remakes the file. `style_xml` is the resolved style, complete, as edaha reads it.
+struct Metadata {
+    std::string title;
+    std::string description;
+    std::string command;
+    std::string style_xml;
+    std::string version;
+    std::uint64_t seed = 0;
+};
+
+struct Drawing {
+    double width_mm = 0;
+    double height_mm = 0;
+    std::vector<Symbol> symbols;
+    std::vector<Layer> layers;  // bottom first
+    Metadata metadata;
+};
+
+}  // namespace edaha

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+
+namespace edaha {
+
+// sRGB, 8 bits a channel.
+struct Colour {
+    std::uint8_t r = 0, g = 0, b = 0;
+    bool operator==(const Colour&) const = default;
+};
+
+// A colour, none, or the parent's (SVG's inheritance).
+struct Ink {
+    enum class Kind : std::uint8_t { inherit, none, colour };
+    Kind kind = Kind::inherit;
+    Colour colour;
+
+    Ink() = default;
+    Ink(Colour c) : kind(Kind::colour), colour(c) {}  // NOLINT: a colour is an ink
+    static Ink none() { return Ink(Kind::none); }
+    bool operator==(const Ink&) const = default;
+
+  private:
+    explicit Ink(Kind k) : kind(k) {}
+};
+
+// Strokes have round caps and joins and scale with their transform. Inherited at the root: no
+// fill, no stroke. Fill rule: non-zero. A width of 0 means the parent's.
+struct Paint {
+    Ink fill;
+    Ink stroke;
+    double stroke_width_mm = 0;
+    float fill_opacity = 1;    // multiplies nothing; not inherited when 1
+    float stroke_opacity = 1;
+    bool operator==(const Paint&) const = default;
+};
+
+}  // namespace edaha
