@@ -12,10 +12,15 @@
 namespace edaha {
 
 // The 2D picture between growth and the writers. Contract, asserted by check(Drawing):
-//   - millimetres, y down, origin at the page's top left; every point inside the page;
-//   - paths are absolute move/line/cubic/close, finite, without zero-length segments; filled
-//     subpaths are closed, and positively oriented outlines come first in a compound path;
-//   - paint order is list order; paint that a node leaves unset is its parent's;
+//   - millimetres, y down, origin at the page's top left; every curve inside the page, with half
+//     its stroke's width;
+//   - paths are absolute move/line/cubic/close, finite, without zero-length segments; every subpath
+//     starts with a move and has a segment; filled ones are closed (by a way back of any length);
+//   - a filled path of several subpaths starts with an outline: positive by signed_area(); each
+//     hole, negative, lies within the box of the outlines before it. One subpath may run either way;
+//   - paint order is list order; paint that a node leaves unset is its parent's; a stroke that is
+//     drawn has a width above 0;
+//   - instances name a symbol that exists, and their maps are finite and invertible;
 //   - ids are unique, non-empty for layers and symbols, and XML names: [A-Za-z][A-Za-z0-9._-]*.
 struct Shape {
     std::string id;  // may be empty: the writers then give none
@@ -67,11 +72,18 @@ struct Metadata {
     std::uint64_t seed = 0;
 };
 
+// A colour of the palette by its name, for the user who recolours: "Bark, light".
+struct Swatch {
+    std::string name;
+    Colour colour;
+};
+
 struct Drawing {
     double width_mm = 0;
     double height_mm = 0;
     std::vector<Symbol> symbols;
     std::vector<Layer> layers;  // bottom first
+    std::vector<Swatch> swatches;
     Metadata metadata;
 };
 

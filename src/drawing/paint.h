@@ -27,11 +27,14 @@ struct Ink {
 
 // Strokes have round caps and joins and scale with their transform. Inherited at the root: no
 // fill, no stroke. Fill rule: non-zero. A width of 0 means the parent's.
+// An opacity, 0 to 1, belongs to its ink: who sets the ink sets the opacity with it; who inherits
+// the ink inherits the opacity too, unless it names one below 1. Opacities replace, they never
+// multiply.
 struct Paint {
     Ink fill;
     Ink stroke;
     double stroke_width_mm = 0;
-    float fill_opacity = 1;    // multiplies nothing; not inherited when 1
+    float fill_opacity = 1;
     float stroke_opacity = 1;
     bool operator==(const Paint&) const = default;
 };
