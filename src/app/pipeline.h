@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "drawing/drawing.h"
+#include "ornament/leaf.h"
+#include "style/style.h"
+
+namespace edaha {
+
+// What growth made, for reports.
+struct TreeCounts {
+    std::size_t branches = 0;
+    std::size_t dropped = 0;
+    std::size_t limbs = 0;
+    std::size_t ornaments = 0;  // leaves, blossoms and fruit
+    int highest_order = 0;
+};
+
+struct Picture {
+    Drawing drawing;  // without metadata
+    TreeCounts counts;
+    std::vector<Problem> warnings;  // of the leaf drawings
+};
+
+// Gives the drawing of a leaf by its name or path; throws InputError or IoError.
+using LeafLoader = std::function<LeafImport(const std::string& name)>;
+
+// The whole way from a style to its picture, in order.
+Picture draw_picture(const Style& style, const LeafLoader& load_leaf);
+
+}  // namespace edaha

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "drawing/page.h"
+
+#include <algorithm>
+
+#include <tbb/parallel_for.h>
+
+#include "geometry/bounds.h"
+#include "geometry/measure.h"
+
+namespace edaha {
+namespace {
+
+Bounds box_of(const Symbol& symbol) {
+    Bounds box;
+    for (const Shape& shape : symbol.shapes) {
+        Bounds one = bounds(shape.path);
+        if (shape.paint.stroke.kind == Ink::Kind::colour) {
+            one.min -= shape.paint.stroke_width_mm / 2;
+            one.max += shape.paint.stroke_width_mm / 2;
+        }
+        box.include(one);
+    }
+    return box;
+}
+
+class Extent {
+  public:
+    explicit Extent(const Drawing& drawing) {
+        for (const Symbol& symbol : drawing.symbols)
+            symbols_.push_back(box_of(symbol));
+        for (const Layer& layer : drawing.layers)
+            include(layer.children, layer.paint);
+    }
+    Bounds box;
+
+  private:
+    void include(const std::vector<Element>& elements, const Paint& inherited) {
+        for (const Element& element : elements) {
+            if (const auto* group = std::get_if<Group>(&element)) {
+                include(group->children, merged(inherited, group->paint));
+            } else if (const auto* use = std::get_if<Use>(&element)) {
+                include(*use);
+            } else {
+                const auto& shape = std::get<Shape>(element);
+                const Paint paint = merged(inherited, shape.paint);
+                Bounds one = bounds(shape.path);
+                if (paint.stroke.kind == Ink::Kind::colour) {
+                    one.min -= paint.stroke_width_mm / 2;
+                    one.max += paint.stroke_width_mm / 2;
+                }
+                box.include(one);
+            }
+        }
+    }
+
+    void include(const Use& use) {
+        const Bounds& b = symbols_[use.symbol];
+        for (const Vec2 corner : {b.min, b.max, Vec2(b.min.x, b.max.y), Vec2(b.max.x, b.min.y)}) {
+            box.include(transform(use.page_from_symbol, corner));
+        }
+    }
+
+    static Paint merged(Paint paint, const Paint& own) {
+        if (own.stroke.kind != Ink::Kind::inherit) paint.stroke = own.stroke;
+        if (own.stroke_width_mm > 0) paint.stroke_width_mm = own.stroke_width_mm;
+        return paint;
+    }
+
+    std::vector<Bounds> symbols_;
+};
+
+void move(std::vector<Element>& elements, const Affine& map, double scale);
+
+void move(Element& element, const Affine& map, double scale) {
+    if (auto* group = std::get_if<Group>(&element)) {
+        group->paint.stroke_width_mm *= scale;
+        move(group->children, map, scale);
+    } else if (auto* use = std::get_if<Use>(&element)) {
+        use->page_from_symbol = compose(map, use->page_from_symbol);
+    } else {
+        auto& shape = std::get<Shape>(element);
+        shape.paint.stroke_width_mm *= scale;
+        for (Vec2& point : shape.path.points)
+            point = transform(map, point);
+    }
+}
+
+void move(std::vector<Element>& elements, const Affine& map, double scale) {
+    tbb::parallel_for(std::size_t{0}, elements.size(),
+                      [&](std::size_t i) { move(elements[i], map, scale); });
+}
+
+Layer background(const Drawing& drawing, Colour paper) {
+    Path path;
+    path.move_to({0, 0});
+    path.line_to({drawing.width_mm, 0});
+    path.line_to({drawing.width_mm, drawing.height_mm});
+    path.line_to({0, drawing.height_mm});
+    path.close();
+    Layer layer{"Background", {}, {}};
+    layer.paint.fill = paper;
+    layer.children.emplace_back(Shape{"paper", path, {}});
+    return layer;
+}
+
+}  // namespace
+
+Drawing on_page(Drawing drawing, const PageParams& page, const Palette& palette) {
+    std::erase_if(drawing.layers, [](const Layer& layer) { return layer.children.empty(); });
+    const Bounds box = Extent(drawing).box;
+    const double longer = std::max({box.width(), box.height(), 1e-6});
+    const double room = std::max(page.size_mm - 2 * page.margin_mm, 0.1 * page.size_mm);
+    const double scale = page.size_mm > 0 ? room / longer : 1;
+    // A margin that leaves no room gives way to the tree.
+    const double margin = page.size_mm > 0 ? (page.size_mm - room) / 2 : page.margin_mm;
+    const Vec2 offset = Vec2(margin, margin) - (box.empty() ? Vec2(0, 0) : box.min) * scale;
+    const Affine map(Vec2(scale, 0), Vec2(0, scale), offset);
+    for (Layer& layer : drawing.layers) {
+        layer.paint.stroke_width_mm *= scale;
+        move(layer.children, map, scale);
+    }
+    drawing.width_mm = box.width() * scale + 2 * margin;
+    drawing.height_mm = box.height() * scale + 2 * margin;
+    if (page.background)
+        drawing.layers.insert(drawing.layers.begin(), background(drawing, palette.paper));
+    return drawing;
+}
+
+}  // namespace edaha

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "drawing/drawing.h"
+#include "drawing/page_params.h"
+#include "drawing/palette.h"
+
+namespace edaha {
+
+// The layers' content, anywhere in the plane, on a page of its own: scaled to PageParams::size_mm
+// (0: as it is), moved to the margins, strokes included; with a layer "Background" first if the
+// paper is to be painted. Empty layers are left out. Stroke widths scale too. O(content).
+Drawing on_page(Drawing drawing, const PageParams& page, const Palette& palette);
+
+}  // namespace edaha

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "energy/wood.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tbb/parallel_for.h>
+
+#include "energy/bark.h"
+#include "energy/outline.h"
+#include "geometry/unite.h"
+
+namespace edaha {
+namespace {
+
+// Limbs whose base is below this part of the trunk's width are twigs.
+constexpr double kTwigShare = 0.16;
+
+std::vector<Path> all_paths(const Limbs& limbs, const LookParams& look) {
+    std::vector<Path> paths(limbs.limbs.size());
+    tbb::parallel_for(std::size_t{0}, paths.size(), [&](std::size_t i) {
+        const Limb& limb = limbs.limbs[i];
+        paths[i] =
+            look.wood == Look::line ? centre_line(limbs, limb, look) : outline(limbs, limb, look);
+    });
+    return paths;
+}
+
+double base_width(const Limbs& limbs, const Limb& limb) {
+    return 2 * limbs.nodes_of(limb)[0].half_width;
+}
+
+// Bough by bough, within a bough the limbs of high order first: each limb's start lies under the
+// limb that bears it. The trunk comes last.
+std::vector<std::size_t> paint_order(const Limbs& limbs) {
+    std::vector<std::size_t> order(limbs.limbs.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const Limb &x = limbs.limbs[a], &y = limbs.limbs[b];
+        if ((x.order == 0) != (y.order == 0)) return y.order == 0;
+        if (x.bough != y.bough) return x.bough > y.bough;
+        return x.order > y.order;
+    });
+    return order;
+}
+
+class Painter {
+  public:
+    Painter(const Limbs& limbs, const LookParams& look, const Palette& palette)
+        : limbs_(limbs), look_(look), palette_(palette), paths_(all_paths(limbs, look)) {}
+
+    Wood paint() {
+        Wood wood;
+        const LimbNode& foot = limbs_.nodes[0];
+        wood.foot = foot.position;
+        wood.foot_width_mm = 2 * foot.half_width * (1 + (look_.straight ? 0 : look_.root_flare));
+        if (look_.wood == Look::silhouette || look_.wood == Look::outline) {
+            wood.front.push_back(united());
+            return wood;
+        }
+        Layer behind{"Wood behind", paint_of(palette_.wood_back), {}};
+        Layer front{"Wood", paint_of(palette_.wood), {}};
+        for (const std::size_t i : paint_order(limbs_)) {
+            const Limb& limb = limbs_.limbs[i];
+            if (!paths_[i].empty()) add(limb.back ? behind : front, limb, std::move(paths_[i]));
+        }
+        if (!behind.children.empty()) wood.behind.push_back(std::move(behind));
+        wood.front.push_back(std::move(front));
+        return wood;
+    }
+
+  private:
+    Paint paint_of(Colour colour) const {
+        Paint paint;
+        (look_.wood == Look::line ? paint.stroke : paint.fill) = colour;
+        return paint;
+    }
+
+    Layer united() {
+        Layer layer{"Wood", {}, {}};
+        if (look_.wood == Look::outline) {
+            layer.paint.stroke = palette_.wood;
+            layer.paint.stroke_width_mm = look_.stroke_mm;
+        } else {
+            layer.paint.fill = palette_.wood;
+        }
+        layer.children.push_back(Shape{"wood", unite(paths_, UniteParams{}), {}});
+        return layer;
+    }
+
+    void add(Layer& layer, const Limb& limb, Path path) {
+        const std::string id = limbs_.id(limb);
+        Group& bough = group_of(layer, limb);
+        Shape shape{id, std::move(path), {}};
+        const double width = base_width(limbs_, limb);
+        if (look_.wood == Look::line) {
+            // One width a stroke: that of the limb a third of the way up its taper.
+            shape.paint.stroke_width_mm = std::max(0.7 * width, look_.min_width_mm);
+        }
+        const bool twig = width < kTwigShare * base_width(limbs_, limbs_.limbs[0]);
+        if (twig && !limb.back) {
+            twigs_of(bough).children.emplace_back(std::move(shape));
+            return;
+        }
+        bough.children.emplace_back(std::move(shape));
+        if (look_.wood == Look::solid && !limb.back) add_bark(bough, limb, id);
+    }
+
+    void add_bark(Group& bough, const Limb& limb, const std::string& id) {
+        const Bark bark = draw_bark(limbs_, limb, look_);
+        if (!bark.shade.empty()) {
+            bough.children.emplace_back(
+                Shape{id + ".shade", bark.shade, paint_of(palette_.wood_shade)});
+        }
+        if (!bark.marks.empty()) {
+            bough.children.emplace_back(Shape{id + ".marks", bark.marks, paint_of(palette_.mark)});
+        }
+    }
+
+    // paint_order keeps a bough's limbs together.
+    Group& group_of(Layer& layer, const Limb& limb) {
+        const std::string id =
+            limb.order == 0
+                ? "bole"
+                : "bough" + limbs_.id(limbs_.limbs[static_cast<std::size_t>(limb.bough)]).substr(4);
+        if (layer.children.empty() || std::get<Group>(layer.children.back()).id != id) {
+            layer.children.emplace_back(Group{id, {}, {}});
+        }
+        return std::get<Group>(layer.children.back());
+    }
+
+    Group& twigs_of(Group& bough) {
+        const std::string id = bough.id + ".twigs";
+        if (bough.children.empty() || !std::holds_alternative<Group>(bough.children.back()) ||
+            std::get<Group>(bough.children.back()).id != id) {
+            bough.children.emplace_back(Group{id, paint_of(palette_.wood_light), {}});
+        }
+        return std::get<Group>(bough.children.back());
+    }
+
+    const Limbs& limbs_;
+    const LookParams& look_;
+    const Palette& palette_;
+    std::vector<Path> paths_;
+};
+
+}  // namespace
+
+Wood draw_wood(const Limbs& limbs, const LookParams& look, const Palette& palette) {
+    return Painter(limbs, look, palette).paint();
+}
+
+}  // namespace edaha

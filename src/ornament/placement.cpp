@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "ornament/placement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "base/stable_math.h"
+
+namespace edaha {
+namespace {
+
+constexpr double kSymbolLength = 10;
+
+enum Purpose : std::uint32_t {
+    kBears = 200,
+    kCount,
+    kFan,
+    kSize,
+    kTone,
+    kBehind,
+    kScatterRadius,
+    kScatterAngle,
+    kSide,
+    kStagger,
+    kPurposes = 32
+};
+
+enum Tone : std::size_t { kShade, kMid, kLight, kTones };
+
+constexpr std::array<const char*, kTones> kToneNames{"shade", "mid", "light"};
+
+struct Cloud {
+    Bounds box;
+
+    // Where in the cloud's light a place is: -1 in its shade, 1 on its lit side.
+    double light(Vec2 place) const {
+        constexpr Vec2 towards_light{-0.5, -0.87};
+        const Vec2 half{std::max(box.width() / 2, 1.0), std::max(box.height() / 2, 1.0)};
+        return std::clamp(glm::dot((place - box.centre()) / half, towards_light), -1.0, 1.0);
+    }
+};
+
+struct Placed {
+    Affine page_from_symbol;
+    std::int32_t bough;
+    Tone tone;
+};
+
+class Placer {
+  public:
+    Placer(std::span<const Site> sites, const PlacementParams& params, const KeyedRandom& random)
+        : params_(params), ornament_(params.ornament), random_(random) {
+        for (const Site& site : sites) {
+            const auto clump = static_cast<std::size_t>(site.clump);
+            if (clump >= clumps_.size()) clumps_.resize(clump + 1);
+            clumps_[clump].box.include(site.position);
+            crown_.box.include(site.position);
+        }
+        for (const Site& site : sites) {
+            if (uniform(site.key, kBears) < ornament_.share) dress(site);
+        }
+    }
+
+    Placement result() {
+        Placement placement;
+        placement.front = layer(front_, params_.label);
+        placement.behind = layer(behind_, params_.label + " behind");
+        placement.behind.paint.fill = params_.tones.back;
+        placement.all = std::move(all_);
+        return placement;
+    }
+
+  private:
+    double uniform(Key key, std::uint32_t purpose, std::uint32_t index = 0) const {
+        return random_.uniform(key, purpose + params_.salt * kPurposes, index);
+    }
+    double around(Key key, std::uint32_t purpose, std::uint32_t index) const {
+        return 2 * uniform(key, purpose, index) - 1;
+    }
+
+    void dress(const Site& site) {
+        const double twig = stable::atan2(site.direction.x, -site.direction.y);
+        if (!site.terminal) {
+            const double side = uniform(site.key, kSide) < 0.5 ? -1 : 1;
+            const double angle =
+                side * ornament_.along_angle_rad * (1 + 0.35 * around(site.key, kFan, 0));
+            add(site, 0, twig + angle, site.position);
+            return;
+        }
+        // A mean of 2.4 is two or three.
+        const double count = ornament_.count + uniform(site.key, kCount);
+        const auto n = static_cast<std::uint32_t>(count);
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const double spread = n > 1 ? 2.0 * i / (n - 1) - 1 : 0;
+            const double jitter = n > 1 ? 0.7 / (n - 1) : 0.4;
+            const double fan = (spread + jitter * around(site.key, kFan, i)) * ornament_.fan_rad;
+            // The outer ones of a fan stand further down the twig.
+            const double back =
+                std::abs(spread) * 0.12 * ornament_.size_mm * uniform(site.key, kStagger, i);
+            add(site, i, twig + fan, site.position - site.direction * back);
+        }
+    }
+
+    void add(const Site& site, std::uint32_t i, double angle, Vec2 position) {
+        if (ornament_.scatter_mm > 0) {
+            const double radius =
+                std::sqrt(uniform(site.key, kScatterRadius, i)) * ornament_.scatter_mm;
+            const auto [s, c] =
+                stable::sin_cos(2 * std::numbers::pi * uniform(site.key, kScatterAngle, i));
+            position += Vec2(s, c) * radius;
+        }
+        angle = turned(turned(angle, std::numbers::pi, ornament_.droop), 0, ornament_.upright);
+        const double size =
+            ornament_.size_mm * (1 + ornament_.size_spread * around(site.key, kSize, i));
+        const double scale = size / kSymbolLength;
+        const auto [s, c] = stable::sin_cos(angle);
+        const Affine map(Vec2(c, s) * scale, Vec2(-s, c) * scale, position);
+        const bool behind = site.back || uniform(site.key, kBehind, i) < ornament_.behind;
+        const Vec2 middle = transform(map, Vec2(0, -kSymbolLength / 2));
+        const Tone tone = tone_of(site, middle, i);
+        (behind ? behind_ : front_).push_back({map, site.bough, behind ? kMid : tone});
+        all_.push_back(map);
+    }
+
+    // Turns a heading by `part` of the way to another one, the shorter way round.
+    static double turned(double angle, double to, double part) {
+        const double full = 2 * std::numbers::pi;
+        const double way = to - angle - full * std::floor((to - angle) / full + 0.5);
+        return angle + way * part;
+    }
+
+    Tone tone_of(const Site& site, Vec2 place, std::uint32_t i) const {
+        const double light = 0.75 * clumps_[static_cast<std::size_t>(site.clump)].light(place) +
+                             0.35 * crown_.light(place) + 0.55 * around(site.key, kTone, i);
+        // About a third of the leaves in each tone.
+        if (light > 0.28) return kLight;
+        return light < -0.28 ? kShade : kMid;
+    }
+
+    // Tones bottom first; a bough's in one group. The middle tone is the layer's own paint.
+    Layer layer(std::vector<Placed>& placed, const std::string& label) const {
+        Layer result{label, {}, {}};
+        result.paint.fill = params_.tones.mid;
+        std::stable_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+            return a.tone != b.tone ? a.tone < b.tone : a.bough < b.bough;
+        });
+        const std::string prefix = result.id();
+        std::int32_t bough = -1;
+        for (const Placed& one : placed) {
+            const std::string tone_id = prefix + '.' + kToneNames[one.tone];
+            if (result.children.empty() || std::get<Group>(result.children.back()).id != tone_id) {
+                result.children.emplace_back(Group{tone_id, tone_paint(one.tone), {}});
+                bough = -1;
+            }
+            Group& tone = std::get<Group>(result.children.back());
+            if (bough != one.bough) {
+                bough = one.bough;
+                tone.children.emplace_back(Group{tone_id + '.' + std::to_string(bough), {}, {}});
+            }
+            std::get<Group>(tone.children.back())
+                .children.emplace_back(Use{params_.symbol, one.page_from_symbol, {}});
+        }
+        return result;
+    }
+
+    Paint tone_paint(Tone tone) const {
+        Paint paint;
+        if (tone == kLight) paint.fill = params_.tones.light;
+        if (tone == kShade) paint.fill = params_.tones.shade;
+        return paint;
+    }
+
+    const PlacementParams& params_;
+    const OrnamentParams& ornament_;
+    const KeyedRandom& random_;
+    std::vector<Cloud> clumps_;
+    Cloud crown_;
+    std::vector<Placed> behind_, front_;
+    std::vector<Affine> all_;
+};
+
+}  // namespace
+
+Placement place(std::span<const Site> sites, const PlacementParams& params,
+                const KeyedRandom& random) {
+    return Placer(sites, params, random).result();
+}
+
+}  // namespace edaha

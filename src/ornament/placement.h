@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <string>
+
+#include "base/keyed_random.h"
+#include "drawing/drawing.h"
+#include "drawing/site.h"
+#include "geometry/bounds.h"
+#include "ornament/ornament_params.h"
+
+namespace edaha {
+
+// Three tones of one colour and the one of what stands behind.
+struct Tones {
+    Colour light, mid, shade, back;
+};
+
+struct PlacementParams {
+    OrnamentParams ornament;
+    Tones tones;
+    std::string label;         // of the layer in front: "Leaves"; the one behind: "Leaves behind"
+    std::uint32_t symbol = 0;  // index into Drawing::symbols; drawn growing to -y, 10 units long
+    std::uint32_t salt = 0;    // leaves and blossom draw different numbers at one site
+};
+
+// Ornaments by layer; the layer's paint is the middle tone, groups within it have the others, and
+// within a tone stand groups by bough. Painted shade, middle, light, so that the lit leaves lie on
+// top.
+struct Placement {
+    Layer behind, front;
+    std::vector<Affine> all;  // page_from_symbol of each
+};
+
+// Sets ornaments on sites: fans at twigs' ends, single ones along the twigs, alternating [E].
+// Tones follow the light from the upper left over each clump and over the whole crown, with some
+// chance, so that leaves make lit clouds. Which tone, size and angle one has depends on its site's
+// key alone: another shape or size of leaf reshuffles nothing. O(ornaments).
+Placement place(std::span<const Site> sites, const PlacementParams& params,
+                const KeyedRandom& random);
+
+}  // namespace edaha
