@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "drawing/page_params.h"
+#include "drawing/palette.h"
+#include "energy/growth_params.h"
+#include "energy/look_params.h"
+#include "ornament/ornament_params.h"
+
+namespace edaha {
+
+// Another set of colours for the same tree, complete.
+struct NamedPalette {
+    std::string name;
+    Palette palette;
+};
+
+// One kind of tree: what every stage needs, in the stages' own units. Style files fill it
+// (style_xml.h), value by value as the parameter table says (parameter.h).
+struct Style {
+    std::string name;         // as in a file name: "cherry"
+    std::string title;        // as on a page: "Cherry"
+    std::string description;  // a sentence
+    EnergyParams energy;
+    LookParams look;
+    OrnamentParams leaf;
+    OrnamentParams blossom;
+    OrnamentParams fruit;
+    Palette palette;
+    PageParams page;
+    std::vector<NamedPalette> palettes;  // in the order of the file
+};
+
+}  // namespace edaha

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+#include "style/style_sheet.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+#include <fmt/core.h>
+#include <pugixml.hpp>
+
+#include "base/locate.h"
+#include "base/nearest_name.h"
+#include "style/value.h"
+#include "style/xml_text.h"
+
+namespace edaha {
+namespace {
+
+// Nothing that XML can hold is dropped by the reader without our seeing it, but white space.
+constexpr unsigned kParseAll = pugi::parse_default | pugi::parse_fragment | pugi::parse_doctype |
+                               pugi::parse_pi | pugi::parse_declaration | pugi::parse_comments;
+
+constexpr std::size_t kMostPalettes = 100;
+
+const char* syntax_error(pugi::xml_parse_status status) {
+    switch (status) {
+        case pugi::status_bad_pi:
+            return "broken processing instruction or declaration";
+        case pugi::status_bad_comment:
+            return "comment without end";
+        case pugi::status_bad_cdata:
+            return "CDATA without end";
+        case pugi::status_bad_doctype:
+            return "broken document type";
+        case pugi::status_bad_pcdata:
+            return "broken text";
+        case pugi::status_bad_start_element:
+            return "broken start tag";
+        case pugi::status_bad_attribute:
+            return "broken attribute";
+        case pugi::status_bad_end_element:
+            return "broken end tag";
+        case pugi::status_end_element_mismatch:
+            return "a start tag and an end tag do not match";
+        default:
+            return "broken tag";
+    }
+}
+
+std::string did_you_mean(std::string_view wrong, const std::vector<std::string>& known) {
+    const auto nearest = nearest_name(wrong, known);
+    return nearest ? " (did you mean '" + *nearest + "'?)" : "";
+}
+
+bool is_utf8_name(std::string_view encoding) {
+    std::string lower;
+    std::ranges::transform(encoding, std::back_inserter(lower), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return lower == "utf-8" || lower == "utf8";
+}
+
+class SheetReader {
+  public:
+    SheetReader(const SourceText& source, const Catalogue& catalogue)
+        : source_(source), text_(source.text), catalogue_(catalogue) {}
+
+    StyleSheet read() {
+        if (const auto bad = first_byte_not_xml(text_)) {
+            const auto byte = static_cast<unsigned char>(text_[*bad]);
+            say(*bad, fmt::format("byte 0x{:02X} is not XML text in UTF-8", byte));
+        } else {
+            read_document();
+        }
+        sort_problems();
+        return std::move(sheet_);
+    }
+
+  private:
+    struct Found {
+        std::size_t offset;
+        std::string message;
+    };
+
+    void say(std::size_t offset, std::string message) {
+        found_.push_back({offset, std::move(message)});
+    }
+
+    void sort_problems() {
+        std::ranges::stable_sort(found_, {}, &Found::offset);
+        for (const Found& found : found_) {
+            const Place place = place_of_offset(text_, found.offset, source_.origin);
+            if (sheet_.problems.size() == kMostProblems) {
+                sheet_.problems.push_back({place, "and more from here on"});
+                return;
+            }
+            sheet_.problems.push_back({place, found.message});
+        }
+    }
+
+    static std::size_t offset_of(pugi::xml_node node) {
+        return static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
+    }
+
+    std::size_t offset_of(pugi::xml_node node, pugi::xml_attribute attribute) const {
+        return attribute_offset(text_, offset_of(node), attribute.name());
+    }
+
+    void read_document() {
+        pugi::xml_document document;
+        const pugi::xml_parse_result result =
+            document.load_buffer(text_.data(), text_.size(), kParseAll, pugi::encoding_utf8);
+        if (!result) {
+            say(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)),
+                fmt::format("malformed XML: {}", syntax_error(result.status)));
+            return;
+        }
+        pugi::xml_node tree;
+        for (const pugi::xml_node node : document.children()) {
+            if (node.type() == pugi::node_declaration) {
+                check_encoding(node);
+            } else if (node.type() != pugi::node_element) {
+                refuse_text(node);
+            } else if (tree) {
+                say(offset_of(node),
+                    fmt::format("{} stands behind the end of the style", in_quotes(node.name())));
+            } else {
+                tree = node;
+            }
+        }
+        if (!tree) {
+            say(0, "there is no <tree> in this file");
+        } else if (std::string_view(tree.name()) != "tree") {
+            say(offset_of(tree),
+                fmt::format("the root element is {} (expected tree)", in_quotes(tree.name())));
+        } else {
+            read_tree(tree);
+        }
+    }
+
+    void check_encoding(pugi::xml_node declaration) {
+        const pugi::xml_attribute encoding = declaration.attribute("encoding");
+        if (!encoding || is_utf8_name(encoding.value())) return;
+        say(offset_of(declaration), fmt::format("the encoding {} is not read (expected UTF-8)",
+                                                in_quotes(encoding.value())));
+    }
+
+    // For anything between elements that isn't a comment or a processing instruction.
+    void refuse_text(pugi::xml_node node) {
+        const pugi::xml_node_type type = node.type();
+        if (type == pugi::node_comment || type == pugi::node_pi) return;
+        const std::size_t begin = text_.find_first_not_of(" \t\r\n", offset_of(node));
+        const std::size_t offset = std::min(begin, text_.size());
+        if (type == pugi::node_doctype) {
+            say(offset, "a document type has no place in a style");
+        } else {
+            say(offset, fmt::format("text {} has no place here", in_quotes(trim(node.value()))));
+        }
+    }
+
+    // True for the first attribute of its name in a tag; the others are problems.
+    bool is_first(pugi::xml_node node, pugi::xml_attribute attribute, const std::string& key) {
+        const std::string_view name = attribute.name();
+        if (node.attribute(attribute.name()) == attribute) return true;
+        const std::size_t value = attribute_value_offset(text_, offset_of(node), name);
+        const std::size_t quote = std::min(text_.find(text_[value - 1], value), text_.size());
+        say(attribute_offset(text_, quote, name), key + ": is given twice");
+        return false;
+    }
+
+    void read_tree(pugi::xml_node tree) {
+        for (const pugi::xml_attribute attribute : tree.attributes())
+            read_tree_attribute(tree, attribute);
+        if (!tree.attribute("name")) say(offset_of(tree), "tree.name: is missing");
+        if (sheet_.title.empty()) sheet_.title = sheet_.name;
+        std::vector<std::string> seen;
+        for (const pugi::xml_node node : tree.children()) {
+            if (node.type() != pugi::node_element) {
+                refuse_text(node);
+            } else {
+                read_element(node, seen);
+            }
+        }
+    }
+
+    void read_tree_attribute(pugi::xml_node tree, pugi::xml_attribute attribute) {
+        const std::string name = attribute.name();
+        const std::string value = attribute.value();
+        const std::size_t offset = offset_of(tree, attribute);
+        if (!is_first(tree, attribute, "tree." + name)) return;
+        if (name == "name") {
+            sheet_.name = value;
+            if (!is_name(value)) say(offset, "tree.name: " + not_a_name(value));
+        } else if (name == "title") {
+            sheet_.title = value;
+        } else if (name == "description") {
+            sheet_.description = value;
+        } else if (name == "extends") {
+            sheet_.extends = value;
+            sheet_.extends_place = place_of_offset(text_, offset, source_.origin);
+            if (value.empty()) say(offset, "tree.extends: is empty (expected a style)");
+        } else if (name == "model") {
+            check_model(offset, value);
+        } else if (name != "xmlns:xsi" && name != "xsi:noNamespaceSchemaLocation") {
+            say(offset, fmt::format("tree.{}: no such attribute{}", name,
+                                    did_you_mean(name, {"name", "title", "description", "extends",
+                                                        "model"})));
+        }
+    }
+
+    static std::string not_a_name(std::string_view value) {
+        return in_quotes(value) + " is not a name (expected small letters, digits and hyphens)";
+    }
+
+    void check_model(std::size_t offset, std::string_view value) {
+        const std::vector<std::string> planned = {"surface", "prism", "prop-root"};
+        if (value == "energy") return;
+        if (std::ranges::count(planned, value) > 0) {
+            say(offset,
+                fmt::format("tree.model: {} is not built yet (expected energy)", in_quotes(value)));
+        } else {
+            say(offset,
+                fmt::format("tree.model: {} is not known (expected energy)", in_quotes(value)));
+        }
+    }
+
+    void read_element(pugi::xml_node node, std::vector<std::string>& seen) {
+        const std::string name = node.name();
+        const ParameterGroup* const group = find_group(name);
+        if (group == nullptr) {
+            std::vector<std::string> names;
+            std::ranges::transform(parameter_groups(), std::back_inserter(names),
+                                   &ParameterGroup::name);
+            say(offset_of(node),
+                fmt::format("{}: no such group{}", name, did_you_mean(name, names)));
+            return;
+        }
+        refuse_children(node);
+        if (name == "palette" && node.attribute("name")) {
+            read_named_palette(node, *group);
+            return;
+        }
+        if (std::ranges::count(seen, name) > 0) {
+            say(offset_of(node), name + ": is given twice");
+        }
+        seen.push_back(name);
+        for (const pugi::xml_attribute attribute : node.attributes())
+            read_value(node, attribute, *group, sheet_.values);
+    }
+
+    void refuse_children(pugi::xml_node node) {
+        for (const pugi::xml_node child : node.children()) {
+            if (child.type() == pugi::node_element) {
+                say(offset_of(child), fmt::format("{} has no place in {}", in_quotes(child.name()),
+                                                  in_quotes(node.name())));
+            } else {
+                refuse_text(child);
+            }
+        }
+    }
+
+    void read_named_palette(pugi::xml_node node, const ParameterGroup& group) {
+        const pugi::xml_attribute name = node.attribute("name");
+        const std::string value = name.value();
+        if (!is_name(value)) say(offset_of(node, name), "palette.name: " + not_a_name(value));
+        if (std::ranges::count(sheet_.palettes, value, &StyleSheet::PaletteSheet::name) > 0) {
+            say(offset_of(node, name), fmt::format("palette {}: is given twice", in_quotes(value)));
+        }
+        if (sheet_.palettes.size() == kMostPalettes) {
+            say(offset_of(node), fmt::format("more than {} palettes", kMostPalettes));
+        }
+        if (sheet_.palettes.size() >= kMostPalettes) return;
+        StyleSheet::PaletteSheet palette{value, {}};
+        for (const pugi::xml_attribute attribute : node.attributes()) {
+            if (std::string_view(attribute.name()) != "name") {
+                read_value(node, attribute, group, palette.colours);
+            } else {
+                is_first(node, attribute, "palette.name");
+            }
+        }
+        sheet_.palettes.push_back(std::move(palette));
+    }
+
+    void read_value(pugi::xml_node node, pugi::xml_attribute attribute, const ParameterGroup& group,
+                    std::vector<StyleSheet::Value>& values) {
+        const auto found = std::ranges::find(group.parameters, attribute.name(), &Parameter::name);
+        if (found == group.parameters.end()) {
+            std::vector<std::string> names;
+            std::ranges::transform(group.parameters, std::back_inserter(names), &Parameter::name);
+            say(offset_of(node, attribute),
+                fmt::format("{}.{}: no such parameter{}", group.name, attribute.name(),
+                            did_you_mean(attribute.name(), names)));
+            return;
+        }
+        const std::string key = found->key();
+        if (!is_first(node, attribute, key)) return;
+        std::string text = attribute.value();
+        if (const auto wrong = take(*found, text)) {
+            say(offset_of(node, attribute), key + ": " + *wrong);
+        } else {
+            values.push_back({&*found, std::move(text)});
+        }
+    }
+
+    // A reference becomes one from the working folder.
+    std::optional<std::string> take(const Parameter& parameter, std::string& text) {
+        if (auto wrong = assign(scratch_, parameter, text)) return wrong;
+        if (!std::holds_alternative<Reference>(parameter.field)) return std::nullopt;
+        const std::string written = value_text(scratch_, parameter);
+        text = resolve_leaf(written, source_.folder);
+        if (text.empty() || catalogue_.has_leaf(text)) return std::nullopt;
+        return fmt::format("there is no leaf {}{}", in_quotes(written),
+                           did_you_mean(written, catalogue_.leaf_names()));
+    }
+
+    const SourceText& source_;
+    std::string_view text_;
+    const Catalogue& catalogue_;
+    Style scratch_;
+    StyleSheet sheet_;
+    std::vector<Found> found_;
+};
+
+}  // namespace
+
+StyleSheet read_style_sheet(const SourceText& source, const Catalogue& catalogue) {
+    return SheetReader(source, catalogue).read();
+}
+
+}  // namespace edaha

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "style/parameter.h"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "style/catalogue.h"
+#include "style/value.h"
+
+namespace edaha {
+namespace {
+
+TEST(Parameter, KeysAreUniqueNames) {
+    std::set<std::string> keys;
+    for (const Parameter& parameter : parameters()) {
+        EXPECT_TRUE(keys.insert(parameter.key()).second) << parameter.key();
+        EXPECT_TRUE(is_name(parameter.group)) << parameter.group;
+        EXPECT_TRUE(is_name(parameter.name)) << parameter.key();
+        EXPECT_NE(parameter.key(), "palette.name");  // the attribute that names a palette
+    }
+}
+
+TEST(Parameter, GroupsHoldTheWholeTable) {
+    std::size_t rows = 0;
+    for (const ParameterGroup& group : parameter_groups()) {
+        EXPECT_FALSE(group.parameters.empty()) << group.name;
+        for (const Parameter& parameter : group.parameters)
+            EXPECT_EQ(parameter.group, group.name);
+        rows += group.parameters.size();
+        EXPECT_EQ(find_group(group.name), &group);
+    }
+    EXPECT_EQ(rows, parameters().size());
+    EXPECT_EQ(find_group("growths"), nullptr);
+}
+
+TEST(Parameter, DefaultsAreGoodValues) {
+    for (const Parameter& parameter : parameters()) {
+        Style style;
+        const std::string text = value_text(style, parameter);
+        EXPECT_EQ(assign(style, parameter, text), std::nullopt) << parameter.key();
+        EXPECT_EQ(value_text(style, parameter), text) << parameter.key();
+    }
+}
+
+// A text that differs from the default, whatever the kind.
+std::string other_text(const Parameter& parameter) {
+    const Limits& limits = parameter.limits;
+    const std::string now = value_text(Style(), parameter);
+    std::vector<std::string> texts = {
+        shortest_text(limits.least), shortest_text(limits.most), "yes", "no", "#010203", "x"};
+    if (const auto* choice = std::get_if<Choice>(&parameter.field)) texts = choice->names;
+    for (const std::string& text : texts) {
+        Style style;
+        if (!assign(style, parameter, text) && value_text(style, parameter) != now) return text;
+    }
+    return {};
+}
+
+TEST(Parameter, EachReachesItsOwnValueAndNoOther) {
+    for (const Parameter& parameter : parameters()) {
+        Style style;
+        const std::string text = other_text(parameter);
+        ASSERT_EQ(assign(style, parameter, text), std::nullopt) << parameter.key();
+        for (const Parameter& other : parameters()) {
+            const bool same = value_text(style, other) == value_text(Style(), other);
+            EXPECT_EQ(same, &other != &parameter) << parameter.key() << " and " << other.key();
+        }
+    }
+}
+
+TEST(Parameter, HelpIsALineWithASource) {
+    for (const Parameter& parameter : parameters()) {
+        EXPECT_FALSE(parameter.help.empty()) << parameter.key();
+        EXPECT_LE(parameter.help.size(), 90U) << parameter.key();
+        EXPECT_FALSE(parameter.help.ends_with('.')) << parameter.key();
+        EXPECT_TRUE(parameter.source.starts_with("paper ") || parameter.source == "Edaha")
+            << parameter.key();
+    }
+}
+
+TEST(Parameter, TheNearestKeyIsOffered) {
+    EXPECT_EQ(unknown_parameter("growth.enery"),
+              "growth.enery: no such parameter (did you mean 'growth.energy'?)");
+    EXPECT_EQ(unknown_parameter("x"), "x: no such parameter");
+}
+
+}  // namespace
+}  // namespace edaha
