@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace edaha {
+
+// A value that does not follow its grammar, and where in the value.
+class SyntaxError : public std::runtime_error {
+  public:
+    SyntaxError(std::size_t offset, const std::string& message)
+        : std::runtime_error(message), offset_(offset) {}
+    std::size_t offset() const { return offset_; }
+
+  private:
+    std::size_t offset_;
+};
+
+// Larger numbers are refused: beyond any drawing, and far enough from the end of double's range
+// that sums and squares of a million of them stay finite.
+inline constexpr double kLargestNumber = 1e9;
+
+// Reads SVG's small grammars (path data, transforms, points, lengths, colours) from the left.
+// Keeps a view of the text. Locale-free.
+class Scanner {
+  public:
+    explicit Scanner(std::string_view text) : text_(text) {}
+
+    bool at_end() const { return at_ == text_.size(); }
+    std::size_t offset() const { return at_; }
+    char peek() const { return at_end() ? '\0' : text_[at_]; }
+    char take() { return text_[at_++]; }  // not at the end
+    bool take(char c);
+    void skip_space();
+    bool skip_comma();             // space, at most one comma, space; whether there was a comma
+    std::string_view take_word();  // letters, digits, - and _
+    std::string_view take_until(char end);  // without it; it is passed if it is there
+    bool number_follows() const;
+
+    // None, and nothing read, if no number stands here. An exponent needs digits: "2em" is 2.
+    // Throws SyntaxError beyond kLargestNumber.
+    std::optional<double> take_number();
+
+    // What stands here, quoted, for messages; "the end" at the end.
+    std::string here() const;
+
+  private:
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+// 'text' for a message: shortened to 40 bytes, without line ends and broken UTF-8.
+std::string quoted(std::string_view text);
+
+std::string_view trimmed(std::string_view text);
+
+// ASCII letters only.
+std::string lower_case(std::string_view text);
+
+}  // namespace edaha
