@@ -95,7 +95,8 @@ std::vector<Parameter> palette_rows() {
     // clang-format off
     rows.add(&P::paper, {"paper", kOurs, "the background, and what is seen through the crown"});
     rows.add(&P::wood, {"wood", kOurs, "trunk and boughs"});
-    rows.add(&P::wood_light, {"wood-light", kOurs, "limbs of higher order"});
+    rows.add(&P::wood_light, {"wood-light", kOurs, "twigs"});
+    rows.add(&P::wood_shade, {"wood-shade", kOurs, "the side of the wood away from the light"});
     rows.add(&P::wood_back, {"wood-back", kOurs, "boughs behind the trunk"});
     rows.add(&P::mark, {"mark", kOurs, "bark marks"});
     rows.add(&P::leaf_light, {"leaf-light", kOurs, "leaves in the light"});

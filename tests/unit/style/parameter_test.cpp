@@ -86,5 +86,37 @@ TEST(Parameter, TheNearestKeyIsOffered) {
     EXPECT_EQ(unknown_parameter("x"), "x: no such parameter");
 }
 
+// Stands for a value of any type in an initializer, to count the members of a struct.
+struct Anything {
+    template <class T>
+    operator T() const;
+};
+
+template <class Params, class... Members>
+constexpr std::size_t count_members(Members... members) {
+    if constexpr (requires { Params{members..., Anything{}}; }) {
+        return count_members<Params>(members..., Anything{});
+    } else {
+        return sizeof...(Members);
+    }
+}
+
+template <class Params>
+constexpr std::size_t kMembers = count_members<Params>();
+
+TEST(Parameter, EveryMemberOfAStagesParamsHasItsRow) {
+    const auto rows = [](const char* group) { return find_group(group)->parameters.size(); };
+    EXPECT_EQ(rows("growth"), kMembers<GrowthParams>);
+    EXPECT_EQ(rows("branch"), kMembers<BranchParams>);
+    EXPECT_EQ(rows("space"), kMembers<SpaceParams>);
+    EXPECT_EQ(rows("variant"), kMembers<VariantParams>);
+    EXPECT_EQ(rows("look"), kMembers<LookParams>);
+    EXPECT_EQ(rows("leaf"), kMembers<OrnamentParams>);
+    EXPECT_EQ(rows("blossom"), kMembers<OrnamentParams>);
+    EXPECT_EQ(rows("fruit"), kMembers<OrnamentParams>);
+    EXPECT_EQ(rows("palette"), kMembers<Palette>);
+    EXPECT_EQ(rows("page"), kMembers<PageParams>);
+}
+
 }  // namespace
 }  // namespace edaha
