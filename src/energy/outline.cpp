@@ -40,8 +40,9 @@ void add_cubics(Path& path, const std::vector<Cubic>& cubics) {
 struct Fillet {
     CurveSample parent;  // on the parent's flank; the tangent runs with the fillet
     CurveSample child;
-    Vec2 corner;      // where the flanks cross
-    LimbPlace place;  // of `child` on the child
+    Vec2 corner;          // where the flanks cross
+    LimbPlace place;      // of `child` on the child
+    double along_mm = 0;  // of `parent`, from the joint along the parent
 };
 
 class Joint {
@@ -49,10 +50,20 @@ class Joint {
     Joint(const LimbCurve& child, const LimbCurve& parent, std::size_t parent_node,
           double radius_mm)
         : child_(child), parent_(parent), node_(parent_node), radius_mm_(radius_mm) {
-        const LimbSection at = parent.section_at_node(parent_node);
-        // Which way the child goes is plain a few half widths out.
-        const Vec2 out = child.section(child.walk(0, 3 * at.half_width)).centre - at.centre;
-        side_ = cross(at.tangent, out) >= 0 ? 1 : -1;
+        const double child_length = child.length_mm(0, child.spans());
+        // A child that stays inside its parent for two thirds of its way has no joint to show.
+        limit_ = child_length * 0.66;
+        const double reach = parent.section_at_node(parent_node).half_width;
+        stride_ = std::max(std::min(limit_ / 24, reach / 3), limit_ / 400);
+        // The side on which the centre line comes out; it may weave within a thick parent.
+        double across = 0;
+        for (double s = stride_; s <= limit_; s += stride_) {
+            const Vec2 point = flank_point(0, s);
+            const LimbSection section = parent_section(point);
+            across = cross(section.tangent, point - section.centre);
+            if (std::abs(across) > section.half_width) break;
+        }
+        side_ = across >= 0 ? 1 : -1;
     }
 
     int side() const { return side_; }
@@ -60,13 +71,9 @@ class Joint {
     // `flank` is the child's side (+1, -1); `ahead` says whether the fillet lies on the parent's
     // far side of the joint (the crotch).
     std::optional<Fillet> fillet(int flank, bool ahead) const {
-        const double child_length = child_.length_mm(0, child_.spans());
-        // Where it comes out: steps along the child, then halving. A child that stays inside its
-        // parent for two thirds of its way has no joint to show.
-        const double limit = child_length * 0.66;
+        // Where it comes out: steps along the child, then halving.
         double inside = 0, outside = -1;
-        const double stride = std::max(limit / 24, 1e-6);
-        for (double s = stride; s <= limit; s += stride) {
+        for (double s = stride_; s <= limit_; s += stride_) {
             if (!within_parent(flank, s)) {
                 outside = s;
                 break;
@@ -80,11 +87,12 @@ class Joint {
         }
         Fillet result;
         result.corner = flank_point(flank, outside);
-        const double reach = std::min(radius_mm_, (child_length - outside) * 0.4);
+        const double reach = std::min(radius_mm_, (limit_ / 0.66 - outside) * 0.4);
         result.place = child_.walk(0, outside + reach);
         const LimbSection section = child_.section(result.place);
         result.child = section.sample(flank);
         const double along = parent_distance(result.corner) + (ahead ? reach : -reach);
+        result.along_mm = along;
         const LimbSection base = parent_.section(parent_.walk(node_, along));
         // A hair inside the parent, by what its own flank may be off.
         const double inset = 1.5 * flank_tolerance_mm(base.half_width) / base.half_width;
@@ -111,18 +119,23 @@ class Joint {
         return s;
     }
 
+    LimbSection parent_section(Vec2 point) const {
+        return parent_.section(parent_.walk(node_, parent_distance(point)));
+    }
+
     bool within_parent(int flank, double s) const {
         const Vec2 point = flank_point(flank, s);
-        const LimbSection section = parent_.section(parent_.walk(node_, parent_distance(point)));
-        const Vec2 away = point - section.centre;
-        return side_ * cross(section.tangent, away) < section.half_width;
+        const LimbSection section = parent_section(point);
+        return side_ * cross(section.tangent, point - section.centre) < section.half_width;
     }
 
     const LimbCurve& child_;
     const LimbCurve& parent_;
     std::size_t node_;
     double radius_mm_;
-    int side_;
+    double limit_ = 0;  // how far along the child a joint is looked for
+    double stride_ = 0;
+    int side_ = 1;
 };
 
 // Samples of one flank from a place to the tip.
@@ -221,7 +234,9 @@ Path child_outline(const LimbCurve& curve, const LimbCurve& parent, std::size_t 
     const Flanks flanks = fit_flanks(curve, lower, up, down, false);
     Path path;
     if (flanks.up.empty() || flanks.down.empty()) return path;
-    path.move_to(base.centre);
+    // On the parent's centre line, between the fillets: a child may run within its parent at first.
+    const double start = below && crotch ? (below->along_mm + crotch->along_mm) / 2 : 0;
+    path.move_to(parent.section(parent.walk(parent_node, start)).centre);
     if (below) {
         path.line_to(below->parent.position);
         add_fillet(path, below->parent, below->child, below->corner);
