@@ -2,6 +2,7 @@
 #include "app/pipeline.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "drawing/page.h"
@@ -69,7 +70,10 @@ class PictureMaker {
         LeafImport import = load_leaf_(dress.params.shape);
         std::vector<Problem>& warnings = picture_.warnings;
         warnings.insert(warnings.end(), import.warnings.begin(), import.warnings.end());
-        PlacementParams params{dress.params, dress.tones, dress.label, 0, dress.salt};
+        PlacementParams params{dress.params, dress.tones, dress.label, 0, false, dress.salt};
+        params.stroked = std::any_of(
+            import.leaf.shapes.begin(), import.leaf.shapes.end(),
+            [](const Shape& shape) { return shape.paint.stroke.kind == Ink::Kind::inherit; });
         params.symbol = symbol_of(std::move(import.leaf));
         const SiteParams along{dress.params.along_mm, dress.params.along_width_mm};
         Placement placement = place(sites(limbs, style_.look, along), params, random_);

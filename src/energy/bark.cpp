@@ -38,6 +38,8 @@ void add_band(Path& shade, const std::vector<LimbSection>& run, int side,
     }
     inner.front().position = flank.front().position;
     inner.back().position = flank.back().position;
+    const double ends = glm::distance(flank.front().position, flank.back().position);
+    if (ends < 1) return;  // a speck
     std::reverse(inner.begin(), inner.end());
     for (CurveSample& sample : inner)
         sample.tangent = -sample.tangent;
@@ -47,6 +49,7 @@ void add_band(Path& shade, const std::vector<LimbSection>& run, int side,
         band.cubic_to(c.p1, c.p2, c.p3);
     for (const Cubic& c : fit_cubics(inner, 0.08))
         band.cubic_to(c.p1, c.p2, c.p3);
+    band.points.back() = band.points.front();  // the fit's own ends are an ulp off
     band.close();
     if (signed_area(band) < 0) band = reversed(band);
     shade.verbs.insert(shade.verbs.end(), band.verbs.begin(), band.verbs.end());
@@ -69,7 +72,7 @@ Path draw_shade(const LimbCurve& curve, const Limb& limb) {
         if (run.size() >= 4) add_band(shade, run, side, depth);
         run.clear(), depth.clear();
     };
-    const double start_mm = limb.parent < 0 ? 0 : 3 * widest;
+    const double start_mm = limb.parent < 0 ? -0.3 * widest : 3 * widest;
     double along = 0;
     for (std::size_t span = 0; span < curve.spans(); ++span) {
         for (int i = 0; i < 6; ++i) {
@@ -80,7 +83,7 @@ Path draw_shade(const LimbCurve& curve, const Limb& limb) {
             const double lit = glm::dot(section.normal(), kTowardsLight);
             const double fade =
                 smooth((2 * section.half_width - 0.7 * kShadeWidthMm) / (0.5 * kShadeWidthMm)) *
-                (limb.parent < 0 ? 1 : smooth((at - start_mm) / (3 * widest)));
+                smooth((at - start_mm) / (3 * widest));
             const double now = fade * smooth((std::abs(lit) - 0.15) / 0.5) * 0.62;
             const int shaded = lit > 0 ? -1 : 1;
             if (now < 0.03 || (side != shaded && !run.empty())) finish();

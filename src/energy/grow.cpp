@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-enum Purpose : std::uint32_t { kShare = 1, kSplit, kTurn, kSide };
+enum Purpose : std::uint32_t { kShare = 1, kSplit, kTurn, kSide, kBole, kLean };
 
 // A branch that is to grow, once its turn comes.
 struct Bud {
@@ -93,13 +93,14 @@ class Growth {
 
     void plant() {
         const GrowthParams& growth = params_.growth;
-        const auto [sin, cos] = stable::sin_cos(growth.lean_rad);
-        const double length = growth.bole * branch_length_mm(growth, growth.energy);
         Branch trunk;
-        trunk.end = Vec2(sin, cos) * length;
-        trunk.heading_rad = growth.lean_rad;
-        trunk.energy = growth.energy;
         trunk.key = mix(1);
+        trunk.heading_rad = growth.lean_rad.at(random_.uniform(trunk.key, kLean));
+        const auto [sin, cos] = stable::sin_cos(trunk.heading_rad);
+        const double bole = growth.bole.at(random_.uniform(trunk.key, kBole));
+        const double length = bole * branch_length_mm(growth, growth.energy);
+        trunk.end = Vec2(sin, cos) * length;
+        trunk.energy = growth.energy;
         add(trunk, Vec2(0, 0), 0);
     }
 

@@ -31,8 +31,8 @@ struct GrowthParams {
     Range main_share{0.5, 0.6};     // type B: energy of the main branch (2.2.1)
     Range lateral_split{0.5, 0.5};  // type B: the right lateral's part of what remains [E]
     GrowthOrder order = GrowthOrder::depth;
-    double bole = 1;      // length of the trunk's first branch, times l(E) [E]
-    double lean_rad = 0;  // heading of the trunk's first branch [E]
+    Range bole{1, 1};      // length of the trunk's first branch, times l(E) [E]
+    Range lean_rad{0, 0};  // heading of the trunk's first branch [E]
     std::int64_t max_branches = 4'000'000;
 };
 

@@ -2,7 +2,7 @@
 #include "energy/wood.h"
 
 #include <algorithm>
-#include <cmath>
+#include <tuple>
 
 #include <tbb/parallel_for.h>
 
@@ -30,18 +30,22 @@ double base_width(const Limbs& limbs, const Limb& limb) {
     return 2 * limbs.nodes_of(limb)[0].half_width;
 }
 
-// Bough by bough, within a bough the limbs of high order first: each limb's start lies under the
-// limb that bears it. The trunk comes last.
+bool is_twig(const Limbs& limbs, const Limb& limb) {
+    return base_width(limbs, limb) < kTwigShare * base_width(limbs, limbs.limbs[0]);
+}
+
+// Bough by bough; within a bough the twigs first, then the limbs of high order: each limb's start
+// lies under the limb that bears it. The trunk comes last.
 std::vector<std::size_t> paint_order(const Limbs& limbs) {
+    const auto rank = [&](std::size_t i) {
+        const Limb& limb = limbs.limbs[i];
+        return std::tuple(limb.order == 0, -limb.bough, !is_twig(limbs, limb), -int{limb.order}, i);
+    };
     std::vector<std::size_t> order(limbs.limbs.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         order[i] = i;
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const Limb &x = limbs.limbs[a], &y = limbs.limbs[b];
-        if ((x.order == 0) != (y.order == 0)) return y.order == 0;
-        if (x.bough != y.bough) return x.bough > y.bough;
-        return x.order > y.order;
-    });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
     return order;
 }
 
@@ -98,8 +102,7 @@ class Painter {
             // One width a stroke: that of the limb a third of the way up its taper.
             shape.paint.stroke_width_mm = std::max(0.7 * width, look_.min_width_mm);
         }
-        const bool twig = width < kTwigShare * base_width(limbs_, limbs_.limbs[0]);
-        if (twig && !limb.back) {
+        if (is_twig(limbs_, limb) && !limb.back) {
             twigs_of(bough).children.emplace_back(std::move(shape));
             return;
         }

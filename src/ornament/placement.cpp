@@ -70,7 +70,7 @@ class Placer {
         Placement placement;
         placement.front = layer(front_, params_.label);
         placement.behind = layer(behind_, params_.label + " behind");
-        placement.behind.paint.fill = params_.tones.back;
+        placement.behind.paint = paint_of(params_.tones.back);
         placement.all = std::move(all_);
         return placement;
     }
@@ -136,8 +136,8 @@ class Placer {
 
     Tone tone_of(const Site& site, Vec2 place, std::uint32_t i) const {
         const double light = 0.75 * clumps_[static_cast<std::size_t>(site.clump)].light(place) +
-                             0.35 * crown_.light(place) + 0.55 * around(site.key, kTone, i);
-        // About a third of the leaves in each tone.
+                             0.3 * crown_.light(place) + 0.4 * around(site.key, kTone, i);
+        // About a third of the leaves in each tone. More chance makes confetti, less hard edges.
         if (light > 0.28) return kLight;
         return light < -0.28 ? kShade : kMid;
     }
@@ -145,7 +145,7 @@ class Placer {
     // Tones bottom first; a bough's in one group. The middle tone is the layer's own paint.
     Layer layer(std::vector<Placed>& placed, const std::string& label) const {
         Layer result{label, {}, {}};
-        result.paint.fill = params_.tones.mid;
+        result.paint = paint_of(params_.tones.mid);
         std::stable_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
             return a.tone != b.tone ? a.tone < b.tone : a.bough < b.bough;
         });
@@ -169,9 +169,14 @@ class Placer {
     }
 
     Paint tone_paint(Tone tone) const {
+        if (tone == kMid) return {};
+        return paint_of(tone == kLight ? params_.tones.light : params_.tones.shade);
+    }
+
+    Paint paint_of(Colour colour) const {
         Paint paint;
-        if (tone == kLight) paint.fill = params_.tones.light;
-        if (tone == kShade) paint.fill = params_.tones.shade;
+        paint.fill = colour;
+        if (params_.stroked) paint.stroke = colour;
         return paint;
     }
 

@@ -21,6 +21,7 @@ struct PlacementParams {
     Tones tones;
     std::string label;         // of the layer in front: "Leaves"; the one behind: "Leaves behind"
     std::uint32_t symbol = 0;  // index into Drawing::symbols; drawn growing to -y, 10 units long
+    bool stroked = false;      // the symbol has strokes that take the tone's colour, too
     std::uint32_t salt = 0;    // leaves and blossom draw different numbers at one site
 };
 
