@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/number_text.h"
 
-#include <algorithm>
+#include <bit>
 #include <cassert>
 #include <charconv>
 #include <cmath>
@@ -14,19 +14,44 @@ constexpr double kPowerOfTen[kMostDecimals + 1] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1
 // Every whole number up to here is a double.
 constexpr double kLargestUnits = 9007199254740992.0;
 
-// Digits of `number`, written backwards so that they end at `end`. Returns their start.
-char* write_digits_before(char* end, std::uint64_t number) {
-    std::uint64_t rest = number;
-    while (rest > 0xffffffffu) {
-        *--end = static_cast<char>('0' + rest % 10);
-        rest /= 10;
+constexpr std::uint64_t kWholePowers[] = {1ull,
+                                          10ull,
+                                          100ull,
+                                          1000ull,
+                                          10000ull,
+                                          100000ull,
+                                          1000000ull,
+                                          10000000ull,
+                                          100000000ull,
+                                          1000000000ull,
+                                          10000000000ull,
+                                          100000000000ull,
+                                          1000000000000ull,
+                                          10000000000000ull,
+                                          100000000000000ull,
+                                          1000000000000000ull,
+                                          10000000000000000ull};
+
+// 1233 / 4096 is log10(2), close enough for 54 bits; the comparison mends the rest.
+int count_digits(std::uint64_t number) {
+    const int bits = std::bit_width(number | 1);
+    const int guess = bits * 1233 >> 12;
+    return guess + (number >= kWholePowers[guess]) + (number == 0);
+}
+
+// The last `count` digits of `number`, so that they end at `end`. Returns what is left of it.
+std::uint64_t write_digits_before(char* end, std::uint64_t number, int count) {
+    for (; count > 0 && number > 0xffffffffu; --count) {
+        *--end = static_cast<char>('0' + number % 10);
+        number /= 10;
     }
-    auto low = static_cast<std::uint32_t>(rest);  // 32-bit division is several times quicker
-    do {
+    if (count == 0) return number;
+    auto low = static_cast<std::uint32_t>(number);  // 32-bit division is several times quicker
+    for (; count > 0; --count) {
         *--end = static_cast<char>('0' + low % 10);
         low /= 10;
-    } while (low != 0);
-    return end;
+    }
+    return low;
 }
 
 }  // namespace
@@ -50,15 +75,17 @@ char* write_units(char* out, std::int64_t units, int decimals) {
         magnitude /= 10;
         --decimals;
     }
-    char digits[kLongestNumber];
-    char* const end = digits + kLongestNumber;
-    const char* first = write_digits_before(end, magnitude);
-    const int before_point = static_cast<int>(end - first) - decimals;
-    if (before_point > 0) out = std::copy_n(first, before_point, out);
-    if (decimals == 0) return out;
-    *out++ = '.';
-    if (before_point < 0) out = std::fill_n(out, -before_point, '0');
-    return std::copy(first + std::max(before_point, 0), static_cast<const char*>(end), out);
+    const int digits = count_digits(magnitude);
+    if (decimals == 0) {
+        write_digits_before(out + digits, magnitude, digits);
+        return out + digits;
+    }
+    const int before_point = digits > decimals ? digits - decimals : 0;
+    char* const end = out + before_point + 1 + decimals;
+    const std::uint64_t whole = write_digits_before(end, magnitude, decimals);
+    out[before_point] = '.';
+    write_digits_before(out + before_point, whole, before_point);
+    return end;
 }
 
 void append_number(std::string& text, double value, int decimals) {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "drawing/drawing.h"
 
-#include <cctype>
-
 namespace edaha {
 
-std::string Layer::id() const {
-    std::string id = label;
+std::string id_from_label(std::string_view label) {
+    std::string id(label);
     for (char& c : id) {
-        const bool kept = std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_';
+        const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        const bool kept = letter || (c >= '0' && c <= '9') || c == '.' || c == '_';
         if (!kept) c = '-';
     }
     return id;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace edaha {
 //   - paths are absolute move/line/cubic/close, finite, without zero-length segments; every subpath
 //     starts with a move and has a segment; filled ones are closed (by a way back of any length);
 //   - a filled path of several subpaths starts with an outline: positive by signed_area(); each
-//     hole, negative, lies within the box of the outlines before it. One subpath may run either way;
+//     hole, negative, lies within the box of the outlines before it. One subpath may run either
+//     way;
 //   - paint order is list order; paint that a node leaves unset is its parent's; a stroke that is
 //     drawn has a width above 0;
 //   - instances name a symbol that exists, and their maps are finite and invertible;
@@ -53,13 +55,15 @@ struct Symbol {
     std::vector<Shape> shapes;
 };
 
-// `id` is the label with everything but letters, digits, . _ - replaced by `-`.
+// The label with everything but ASCII letters, digits, . _ - replaced by `-`.
+std::string id_from_label(std::string_view label);
+
 struct Layer {
     std::string label;  // as a person would name it: "Leaves behind"
     Paint paint;
     std::vector<Element> children;
 
-    std::string id() const;
+    std::string id() const { return id_from_label(label); }
 };
 
 // What remakes the file. `style_xml` is the resolved style, complete, as edaha reads it.

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "write/eps.h"
+
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/number_text.h"
+#include "write/canvas.h"
+
+namespace edaha {
+namespace {
+
+constexpr double kPointsPerMm = 72 / 25.4;
+constexpr std::size_t kMostTitleBytes = 200;  // a line of these comments has 255 at most
+
+// Printable ASCII as a PostScript string; other characters become '?'.
+std::string postscript_text(std::string_view text) {
+    std::string result = "(";
+    for (const char c : text.substr(0, kMostTitleBytes)) {
+        if (c == '(' || c == ')' || c == '\\') {
+            result += '-';
+        } else {
+            result += c >= ' ' && c <= '~' ? c : '?';
+        }
+    }
+    return result + ')';
+}
+
+// The head that Adobe's "Document Structuring Conventions" 3.0 ask for. Cairo's own has the date
+// and the box of the ink.
+std::string head(const Drawing& drawing) {
+    const double width = drawing.width_mm * kPointsPerMm;
+    const double height = drawing.height_mm * kPointsPerMm;
+    std::string text = "%!PS-Adobe-3.0 EPSF-3.0\n";
+    text += fmt::format("%%Title: {}\n", postscript_text(drawing.metadata.title));
+    text += fmt::format("%%Creator: {}\n", postscript_text("edaha " + drawing.metadata.version));
+    text += fmt::format("%%BoundingBox: 0 0 {:.0f} {:.0f}\n", std::ceil(width), std::ceil(height));
+    text +=
+        "%%HiResBoundingBox: 0 0 " + number_text(width, 4) + ' ' + number_text(height, 4) + '\n';
+    return text + "%%Pages: 1\n%%DocumentData: Clean7Bit\n%%LanguageLevel: 2\n%%EndComments\n";
+}
+
+}  // namespace
+
+std::string eps_bytes(const Drawing& drawing, const EpsParams& params) {
+    Canvas canvas(Canvas::Kind::eps, drawing.width_mm * kPointsPerMm,
+                  drawing.height_mm * kPointsPerMm);
+    for (const Layer& layer : drawing.layers) {
+        canvas.draw(drawing, layer, kPointsPerMm, params.paper);
+    }
+    std::string bytes = canvas.finish();
+    constexpr std::string_view kEndOfHead = "%%EndComments\n";
+    bytes.replace(0, bytes.find(kEndOfHead) + kEndOfHead.size(), head(drawing));
+    return bytes;
+}
+
+}  // namespace edaha

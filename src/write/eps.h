@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+#include "drawing/drawing.h"
+
+namespace edaha {
+
+struct EpsParams {
+    Colour paper{255, 255, 255};  // what translucent inks are mixed with
+};
+
+// The drawing as an EPS file's bytes. PostScript has no translucency: such inks are mixed with the
+// paper and drawn opaque, so what lies below them is hidden; in a symbol, those above its first
+// filled shape are mixed with that one's. The bounding box is the page; there is no date.
+// Errors: IoError.
+std::string eps_bytes(const Drawing& drawing, const EpsParams& params);
+
+}  // namespace edaha
