@@ -10,7 +10,7 @@ namespace edaha {
 struct UniteParams {
     // Of the chords with which crossings are found, against their curves. Borders that run within
     // two tolerances of each other are taken for one, features smaller than one vanish.
-    double tolerance = 0.005;
+    double tolerance = 0.002;
     // Ends of the result's segments lie on this grid; a power of two keeps them exact. Doubled
     // until the paths fit (2^28 steps from the origin).
     double grid = 1.0 / 4096;
