@@ -1,6 +1,37 @@
 # What is compiled into edaha: every file of styles/ and leaves/, by name. A test compares these
 # lists with the folders.
-set(EDAHA_STYLES)
+set(EDAHA_STYLES
+  apple
+  birch
+  cherry
+  cypress
+  fir
+  ginkgo
+  maple
+  oak
+  paper/energy-a-100-drop
+  paper/energy-a-100-plain
+  paper/energy-a-100-space
+  paper/energy-a-1000-drop
+  paper/energy-a-1000-plain
+  paper/energy-a-1000-space
+  paper/energy-a-500-drop
+  paper/energy-a-500-plain
+  paper/energy-a-500-space
+  paper/energy-b-100-drop
+  paper/energy-b-100-plain
+  paper/energy-b-100-space
+  paper/energy-b-1000-drop
+  paper/energy-b-1000-plain
+  paper/energy-b-1000-space
+  paper/energy-b-500-drop
+  paper/energy-b-500-plain
+  paper/energy-b-500-space
+  poplar
+  scots-pine
+  willow
+  winter
+  zelkova)
 set(EDAHA_LEAVES
   apple
   apple-leaf

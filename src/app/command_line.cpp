@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "app/command_line.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/core.h>
+
+#include "app/version.h"
+#include "base/nearest_name.h"
+#include "style/parameter.h"
+#include "style/value.h"
+
+namespace edaha {
+namespace {
+
+CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& value,
+                      const std::string& type, const std::string& help) {
+    return app.add_option(names, value, help)->type_name(type)->take_last();
+}
+
+// An option that sets a parameter of the style.
+void add_setting(CLI::App& app, TreeOptions& tree, const std::string& option,
+                 const std::string& key, const std::string& type) {
+    const auto keep = [&tree, option, key](const std::string& value) {
+        tree.settings.push_back({option, key, value});
+    };
+    const Parameter& parameter = *find_parameter(key);
+    app.add_option_function<std::string>(option, keep,
+                                         std::holds_alternative<Choice>(parameter.field)
+                                             ? expected_text(parameter) + ": " + parameter.help
+                                             : parameter.help)
+        ->type_name(type)
+        ->take_last();
+}
+
+void add_tree(CLI::App& app, TreeOptions& tree) {
+    add_text(app, "STYLE", tree.style, "",
+             "name of a style, a style file, an SVG that edaha drew, or - for standard input")
+        ->required();
+    add_setting(app, tree, "--seed", "variant.seed", "N");
+    add_setting(app, tree, "--family", "variant.family", "N");
+    add_setting(app, tree, "--vary", "variant.vary", "X");
+    app.add_option("--set", tree.assignments, "set any parameter; may be given again")
+        ->type_name("GROUP.NAME=VALUE")
+        ->allow_extra_args(false);
+    add_setting(app, tree, "--look", "look.wood", "LOOK");
+    add_text(app, "--palette", tree.palette, "NAME", "colours: another palette of the style");
+    add_text(app, "--size", tree.size, "LENGTH",
+             "longer side of the page: 120mm, 12cm, 5in, 400px, 340pt");
+    app.add_flag("--background", tree.background, "paint the paper");
+}
+
+void add_json(CLI::App& app, Options& options) {
+    app.add_flag("--json", options.json, "report as JSON on standard output");
+}
+
+void add_draw(CLI::App& app, Options& options) {
+    CLI::App& draw = *app.add_subcommand("draw", "draw one picture");
+    add_tree(draw, options.tree);
+    add_text(draw, "-o,--output", options.output, "FILE",
+             "where to; its ending is the format; - is standard output");
+    add_text(draw, "--format", options.format, "FORMAT", "svg, svgz, pdf, png or eps");
+    add_text(draw, "--dpi", options.dpi, "N", "PNG: pixels an inch");
+    add_text(draw, "--width", options.width, "N", "PNG: pixels across");
+    draw.add_flag("--expand", options.expand, "SVG: leaves as shapes instead of clones");
+    draw.add_flag("--swatches", options.swatches, "SVG: the palette as swatches, for Inkscape");
+    draw.add_flag("--force", options.force, "overwrite a file that -o does not name");
+    add_json(draw, options);
+    draw.footer(
+        "Examples:\n"
+        "  edaha draw cherry\n"
+        "  edaha draw oak --seed 7 --set growth.energy=800 -o oak.pdf\n"
+        "  edaha draw oak.svg --palette dark -o dark.svg");
+}
+
+void add_measure(CLI::App& app, Options& options) {
+    CLI::App& measure = *app.add_subcommand("measure", "measure the tree that would be drawn");
+    add_tree(measure, options.tree);
+    add_json(measure, options);
+    measure.footer("Example:\n  edaha measure oak --seed 7 --json");
+}
+
+void add_lists(CLI::App& app, Options& options) {
+    for (const std::string name : {"styles", "leaves"}) {
+        CLI::App& list = *app.add_subcommand(name, "list the " + name + " that there are");
+        list.add_flag("--names", options.names, "names only, one a line");
+        add_json(list, options);
+        list.footer("Example:\n  edaha " + name + " --names");
+    }
+}
+
+void add_check(CLI::App& app, Options& options) {
+    CLI::App& check = *app.add_subcommand("check", "say what is wrong with styles and leaves");
+    check.add_option("FILE", options.files, "style files (.xml) and leaf drawings (.svg)")
+        ->type_name("")
+        ->required();
+    check.footer("Example:\n  edaha check my-oak.xml my-leaf.svg");
+}
+
+void add_explain(CLI::App& app, Options& options) {
+    CLI::App& explain = *app.add_subcommand("explain", "explain what a style can set");
+    add_text(explain, "PARAMETER", options.topic, "",
+             "a parameter or a group of them; all of them if left out");
+    add_json(explain, options);
+    explain.add_flag("--markdown", options.markdown, "all of it as a page in Markdown");
+    explain.add_flag("--schema", options.schema, "an XML Schema of style files, for editors");
+    explain.footer("Examples:\n  edaha explain growth.energy\n  edaha explain --schema >style.xsd");
+}
+
+void add_manuals(CLI::App& app, Options& options) {
+    CLI::App& completion =
+        *app.add_subcommand("completion", "print a script that completes edaha in a shell");
+    add_text(completion, "SHELL", options.shell, "", "bash, zsh or fish")->required();
+    completion.footer("Example:\n  eval \"$(edaha completion bash)\"");
+    CLI::App& man = *app.add_subcommand("man", "print the manual page");
+    man.footer("Example:\n  edaha man | man -l -");
+}
+
+std::string did_you_mean(const std::string& wrong, const std::vector<std::string>& known) {
+    const auto nearest = nearest_name(wrong, known);
+    return nearest ? " (did you mean '" + *nearest + "'?)" : "";
+}
+
+std::string how_to_go_on(const CLI::App& app) {
+    return fmt::format("\nTry '{}{} --help'.", app.get_parent() != nullptr ? "edaha " : "",
+                       app.get_name());
+}
+
+// The command that the arguments chose, or the whole program.
+const CLI::App& chosen(const CLI::App& app) {
+    const auto commands = app.get_subcommands();
+    return commands.empty() ? app : *commands.front();
+}
+
+std::string explain_extras(const CLI::App& app) {
+    const CLI::App& command = chosen(app);
+    const std::vector<std::string> extras = app.remaining(true);
+    const auto option = std::ranges::find_if(extras, [](const std::string& extra) {
+        return extra.size() > 1 && extra.starts_with('-');
+    });
+    if (option == extras.end()) {
+        return fmt::format("{}: '{}' is one argument too many", command.get_name(),
+                           extras.empty() ? "" : extras.front());
+    }
+    const std::string name = option->substr(0, option->find('='));
+    std::vector<std::string> known;
+    for (const CLI::Option* each : command.get_options()) {
+        for (const std::string& long_name : each->get_lnames())
+            known.push_back("--" + long_name);
+    }
+    return fmt::format("{}: there is no option '{}'{}", command.get_name(), name,
+                       did_you_mean(name, known));
+}
+
+std::string explain_error(const CLI::App& app, const CLI::ParseError& error) {
+    const std::string message = error.what();
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return explain_extras(app);
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+        const std::string name = message.substr(0, message.find(' '));
+        return fmt::format("{}: {} is missing", chosen(app).get_name(), name);
+    }
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+        return fmt::format("{}: {} needs a value", chosen(app).get_name(),
+                           message.substr(0, message.find(':')));
+    }
+    return fmt::format("{}: {}", chosen(app).get_name(), message);
+}
+
+void refuse_unknown_command(const CLI::App& app, std::span<const std::string> arguments) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({}))
+        names.push_back(command->get_name());
+    if (arguments.empty()) throw UsageError("a command is missing" + how_to_go_on(app));
+    const std::string& first = arguments.front();
+    if (first.starts_with('-') || std::ranges::count(names, first) > 0) return;
+    throw UsageError(fmt::format("there is no command '{}'{}", first, did_you_mean(first, names)) +
+                     how_to_go_on(app));
+}
+
+}  // namespace
+
+std::shared_ptr<CLI::App> define_command_line(Options& options) {
+    auto app = std::make_shared<CLI::App>(
+        "Grows trees and draws them as flat, editable vector illustrations.", "edaha");
+    app->get_formatter()->column_width(34);
+    app->get_formatter()->label("REQUIRED", "");
+    app->set_version_flag("--version", std::string("edaha ") + kVersion, "print the version");
+    app->set_help_flag("-h,--help", "print help");
+    app->require_subcommand(1);
+    add_draw(*app, options);
+    add_measure(*app, options);
+    add_lists(*app, options);
+    add_check(*app, options);
+    add_explain(*app, options);
+    add_manuals(*app, options);
+    app->footer(
+        "Examples:\n"
+        "  edaha draw cherry -o cherry.svg\n"
+        "  edaha styles\n"
+        "  edaha explain growth\n"
+        "Exit codes: 0 done, 1 failed, 2 wrong use.");
+    return app;
+}
+
+Request parse_command_line(std::span<const std::string> arguments, Options& options) {
+    const std::shared_ptr<CLI::App> app = define_command_line(options);
+    refuse_unknown_command(*app, arguments);
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    try {
+        app->parse(reversed);
+    } catch (const CLI::CallForVersion& version) {
+        return {{}, std::string(version.what()) + '\n'};
+    } catch (const CLI::Success&) {
+        return {{}, app->help()};
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(explain_error(*app, error) + how_to_go_on(chosen(*app)));
+    }
+    return {chosen(*app).get_name(), {}};
+}
+
+}  // namespace edaha

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "app/cli.h"
+
+namespace {
+
+// $XDG_DATA_HOME/edaha, or ~/.local/share/edaha (XDG base directory specification).
+std::filesystem::path user_folder() {
+    const char* const data = std::getenv("XDG_DATA_HOME");
+    if (data != nullptr && *data == '/') return std::filesystem::path(data) / "edaha";
+    const char* const home = std::getenv("HOME");
+    if (home == nullptr || *home != '/') return {};
+    return std::filesystem::path(home) / ".local/share/edaha";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // A reader that goes away is then an error of writing, which has a message.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::ios::sync_with_stdio(false);
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    edaha::Console console{std::cin, std::cout, std::cerr, user_folder()};
+    return edaha::run(arguments, console);
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <ostream>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/overlap.h"
+#include "app/tree_style.h"
+#include "drawing/statistics.h"
+#include "style/value.h"
+#include "write/svg.h"
+
+namespace edaha {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Thousandths: more is noise in a report.
+double rounded(double value) {
+    return std::round(value * 1000) / 1000;
+}
+
+Json measurements(const Style& style, const Catalogue& catalogue) {
+    const LeafLoader load_leaf = leaf_loader(catalogue);
+    const Picture picture = draw_picture(style, load_leaf);
+    Style solid = style;
+    solid.look.wood = Look::solid;
+    const DrawingCounts counts = count(picture.drawing);
+    const SvgReport svg = write_svg(picture.drawing, {}, [](std::string_view) {});
+    Json json;
+    json["style"] = style.name;
+    json["seed"] = style.energy.variant.seed;
+    json["width_mm"] = rounded(picture.drawing.width_mm);
+    json["height_mm"] = rounded(picture.drawing.height_mm);
+    json["branches"] = picture.counts.branches;
+    json["dropped"] = picture.counts.dropped;
+    json["limbs"] = picture.counts.limbs;
+    json["highest_order"] = picture.counts.highest_order;
+    json["leaves"] = picture.counts.ornaments;
+    json["layers"] = counts.layers;
+    json["shapes"] = counts.shapes;
+    json["nodes"] = counts.nodes;
+    json["bytes"] = svg.bytes;
+    json["overlap_ratio"] = rounded(overlap_ratio(draw_picture(solid, load_leaf).drawing));
+    return json;
+}
+
+}  // namespace
+
+int measure(const Options& options, Console& console) {
+    const Catalogue catalogue(console.user_folder);
+    const Style style = read_tree_style(options.tree, catalogue, console).style;
+    const Json json = measurements(style, catalogue);
+    if (options.json) {
+        console.out << json.dump(2) << '\n';
+        return 0;
+    }
+    for (const auto& [key, value] : json.items()) {
+        console.out << fmt::format("{:<14} {}\n", key,
+                                   value.is_string() ? value.get<std::string>() : value.dump());
+    }
+    return 0;
+}
+
+}  // namespace edaha

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace edaha {
+
+// The command line as it was written, before it means anything.
+
+// "--seed 7" is a short way to set variant.seed.
+struct Setting {
+    std::string option;
+    std::string key;
+    std::string value;
+};
+
+// Which tree: for draw and measure.
+struct TreeOptions {
+    std::string style;
+    std::vector<Setting> settings;
+    std::vector<std::string> assignments;  // of --set
+    std::string palette;
+    std::string size;
+    bool background = false;
+};
+
+struct Options {
+    TreeOptions tree;
+    std::string output;
+    std::string format;
+    std::string dpi;
+    std::string width;
+    std::string topic;               // of explain
+    std::string shell;               // of completion
+    std::vector<std::string> files;  // of check
+    bool expand = false;
+    bool swatches = false;
+    bool force = false;
+    bool json = false;
+    bool names = false;
+    bool markdown = false;
+    bool schema = false;
+};
+
+// The command line can't be meant like that: exit code 2.
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace edaha

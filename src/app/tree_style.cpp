@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "app/tree_style.h"
+
+#include <istream>
+#include <iterator>
+
+#include <fmt/core.h>
+
+#include "base/atomic_file.h"
+#include "base/number_text.h"
+#include "style/style_xml.h"
+#include "style/value.h"
+#include "write/svg_metadata.h"
+
+namespace edaha {
+namespace {
+
+// Redrawing reads the whole picture only to find its few lines of metadata.
+constexpr std::size_t kMostSvgBytes = std::size_t{1} << 30;
+
+bool is_picture(const std::string& name) {
+    return name.ends_with(".svg") || name.ends_with(".svgz");
+}
+
+// A word as a shell reads it back.
+std::string shell_word(const std::string& word) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=+:,%@";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+    std::string quoted = "'";
+    for (const char c : word) {
+        if (c == '\'') {
+            quoted += "'\\''";
+        } else {
+            quoted += c;
+        }
+    }
+    return quoted + '\'';
+}
+
+std::string changes_text(const TreeOptions& options) {
+    std::string text;
+    const auto add = [&](const std::string& option, const std::string& value) {
+        text += ' ' + option + ' ' + shell_word(value);
+    };
+    for (const Setting& setting : options.settings)
+        add(setting.option, setting.value);
+    for (const std::string& assignment : options.assignments)
+        add("--set", assignment);
+    if (!options.palette.empty()) add("--palette", options.palette);
+    if (!options.size.empty()) add("--size", options.size);
+    if (options.background) text += " --background";
+    return text;
+}
+
+TreeStyle read_from_picture(const std::string& file, const Catalogue& catalogue) {
+    const auto metadata = read_svg_metadata(read_file(file, kMostSvgBytes));
+    if (!metadata || metadata->style_xml.empty()) {
+        throw IoError(fmt::format("'{}' does not say which style it was drawn from", file));
+    }
+    const SourceText source{metadata->style_xml, "style in " + file, {}};
+    return {read_style(source, catalogue), metadata->command};
+}
+
+TreeStyle read_unchanged(const std::string& name, const Catalogue& catalogue, Console& console) {
+    if (is_picture(name)) return read_from_picture(name, catalogue);
+    SourceText source;
+    if (name == "-") {
+        source = {
+            std::string(std::istreambuf_iterator<char>(console.in), {}), "standard input", {}};
+    } else {
+        source = catalogue.find_style(name);
+    }
+    return {read_style(source, catalogue), "edaha draw " + shell_word(name)};
+}
+
+void change(Style& style, const TreeOptions& options) {
+    if (!options.palette.empty()) choose_palette(style, options.palette);
+    for (const Setting& setting : options.settings) {
+        if (const auto wrong = assign(style, *find_parameter(setting.key), setting.value)) {
+            throw UsageError(setting.option + ": " + *wrong);
+        }
+    }
+    set_parameters(style, options.assignments, "--set");
+    if (!options.size.empty()) style.page.size_mm = parse_length_mm("--size", options.size);
+    if (options.background) style.page.background = true;
+}
+
+}  // namespace
+
+TreeStyle read_tree_style(const TreeOptions& options, const Catalogue& catalogue,
+                          Console& console) {
+    TreeStyle tree = read_unchanged(options.style, catalogue, console);
+    try {
+        change(tree.style, options);
+    } catch (const InputError& error) {
+        std::string lines;
+        for (const Problem& problem : error.problems())
+            lines += (lines.empty() ? "" : "\nedaha: ") + to_string(problem);
+        throw UsageError(lines);
+    }
+    tree.command += changes_text(options);
+    return tree;
+}
+
+double parse_length_mm(const std::string& option, const std::string& text) {
+    constexpr struct {
+        std::string_view name;
+        double mm;
+    } kUnits[] = {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"px", 25.4 / 96}, {"pt", 25.4 / 72}};
+    constexpr double kMost = 10000;  // as the parameter page.size
+    for (const auto& unit : kUnits) {
+        if (!text.ends_with(unit.name)) continue;
+        const auto value = parse_number(trim(text.substr(0, text.size() - unit.name.size())));
+        if (!value) break;
+        if (*value > 0 && *value * unit.mm <= kMost) return *value * unit.mm;
+        throw UsageError(fmt::format("{}: {} is out of range (expected above 0, up to 10000mm)",
+                                     option, in_quotes(text)));
+    }
+    throw UsageError(
+        fmt::format("{}: {} is not a length (expected a number and mm, cm, in, px or pt)", option,
+                    in_quotes(text)));
+}
+
+LeafLoader leaf_loader(const Catalogue& catalogue) {
+    return [&catalogue](const std::string& name) {
+        const SourceText source = catalogue.find_leaf(name);
+        return read_leaf(source.text, source.origin);
+    };
+}
+
+}  // namespace edaha

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+#include "app/console.h"
+#include "app/options.h"
+#include "app/pipeline.h"
+#include "style/catalogue.h"
+#include "style/style.h"
+
+namespace edaha {
+
+// The style that a command line asks for, with all that it changes.
+struct TreeStyle {
+    Style style;
+    std::string command;  // that draws it again; for an SVG, how that was drawn and what is changed
+};
+
+// TreeOptions::style is a name, a style file, an SVG or SVGZ with our metadata, or "-": standard
+// input holds a style file. The palette is chosen first, then single values are set.
+// Errors: InputError and IoError for the style, UsageError for the values of options.
+TreeStyle read_tree_style(const TreeOptions& options, const Catalogue& catalogue, Console& console);
+
+// "120mm", "12cm", "5in", "400px", "340pt" in millimetres (CSS: 96 px and 72 pt an inch).
+// Errors: UsageError.
+double parse_length_mm(const std::string& option, const std::string& text);
+
+// Reads leaf drawings from the catalogue.
+LeafLoader leaf_loader(const Catalogue& catalogue);
+
+}  // namespace edaha
