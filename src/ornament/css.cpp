@@ -8,7 +8,7 @@
 
 #include "ornament/scan.h"
 
-namespace edaha {
+namespace edaha::svg {
 namespace {
 
 // Comments and the marks that hide a sheet from old browsers, made blank: offsets stay.
@@ -128,7 +128,7 @@ int CssSelector::specificity() const {
     return (id.empty() ? 0 : kMany * 2) + classes_count * 2 + (element.empty() ? 0 : 1);
 }
 
-void StyleSheet::add_rule(CssSelector selector, std::size_t block) {
+void CssSheet::add_rule(CssSelector selector, std::size_t block) {
     const std::string key = !selector.id.empty()        ? '#' + selector.id
                             : !selector.classes.empty() ? '.' + selector.classes.front()
                                                         : selector.element;
@@ -136,7 +136,7 @@ void StyleSheet::add_rule(CssSelector selector, std::size_t block) {
     rules_.push_back({std::move(selector), block});
 }
 
-std::vector<CssComplaint> StyleSheet::add(std::string_view text, std::size_t base) {
+std::vector<CssComplaint> CssSheet::add(std::string_view text, std::size_t base) {
     const std::string plain = without_comments(text);
     const std::string_view all = plain;
     std::vector<CssComplaint> complaints;
@@ -188,7 +188,7 @@ std::vector<CssComplaint> StyleSheet::add(std::string_view text, std::size_t bas
     return complaints;
 }
 
-std::vector<const CssDeclaration*> StyleSheet::match(const CssSubject& subject) const {
+std::vector<const CssDeclaration*> CssSheet::match(const CssSubject& subject) const {
     std::vector<std::size_t> matching;
     const auto add_matches = [&](const std::string& key) {
         const auto found = rules_by_key_.find(key);
@@ -216,4 +216,4 @@ std::vector<const CssDeclaration*> StyleSheet::match(const CssSubject& subject) 
     return declarations;
 }
 
-}  // namespace edaha
+}  // namespace edaha::svg

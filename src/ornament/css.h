@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace edaha {
+namespace edaha::svg {
 
 // `property: value`, and where the value stands in the text.
 struct CssDeclaration {
@@ -49,7 +49,7 @@ struct CssRule {
 
 // A <style> sheet of plain rules: element, .class, #id, joined or listed by commas. Whatever else
 // it has (@rules, combinators, attributes, pseudo-classes) becomes a complaint.
-class StyleSheet {
+class CssSheet {
   public:
     // Adds a text's rules; offsets of its declarations are counted from `base`.
     std::vector<CssComplaint> add(std::string_view text, std::size_t base);
@@ -67,4 +67,4 @@ class StyleSheet {
     std::map<std::string, std::vector<std::size_t>, std::less<>> rules_by_key_;
 };
 
-}  // namespace edaha
+}  // namespace edaha::svg

@@ -23,21 +23,21 @@ std::string name_of(const std::string& file) {
     return base.substr(0, base.rfind('.'));
 }
 
-Ink to_ink(const SvgInk& ink) {
+Ink to_ink(const svg::SvgInk& ink) {
     switch (ink.kind) {
-        case SvgInk::Kind::none:
+        case svg::SvgInk::Kind::none:
             return Ink::none();
-        case SvgInk::Kind::leaf:
+        case svg::SvgInk::Kind::leaf:
             return {};
-        case SvgInk::Kind::colour:
+        case svg::SvgInk::Kind::colour:
             break;
     }
     return ink.colour;
 }
 
-Paint to_paint(const SvgStyle& style, double scale) {
-    const bool has_fill = style.fill.kind != SvgInk::Kind::none;
-    const bool has_stroke = style.stroke.kind != SvgInk::Kind::none && style.stroke_width > 0;
+Paint to_paint(const svg::SvgStyle& style, double scale) {
+    const bool has_fill = style.fill.kind != svg::SvgInk::Kind::none;
+    const bool has_stroke = style.stroke.kind != svg::SvgInk::Kind::none && style.stroke_width > 0;
     Paint paint;
     paint.fill_opacity =
         static_cast<float>(style.opacity * style.fill_opacity * style.fill.opacity);
@@ -72,9 +72,9 @@ Paint only_stroke(Paint paint) {
 }
 
 // The outlines' box: what would be drawn at all.
-Bounds outline_box(const std::vector<SvgShape>& shapes) {
+Bounds outline_box(const std::vector<svg::SvgShape>& shapes) {
     Bounds box;
-    for (const SvgShape& shape : shapes) {
+    for (const svg::SvgShape& shape : shapes) {
         const Paint paint = to_paint(shape.style, 1);
         if (paint.fill == Ink::none() && paint.stroke == Ink::none()) continue;
         if (shape.path.points.size() > 1) box.include(bounds(shape.path));
@@ -85,10 +85,10 @@ Bounds outline_box(const std::vector<SvgShape>& shapes) {
 // Collects the leaf's shapes. One class, since what a drawn shape becomes depends on all three.
 class LeafMaker {
   public:
-    LeafMaker(const Affine& leaf_from_root, double scale, Report& report)
+    LeafMaker(const Affine& leaf_from_root, double scale, svg::Report& report)
         : leaf_from_root_(leaf_from_root), scale_(scale), report_(report) {}
 
-    void add(const SvgShape& drawn) {
+    void add(const svg::SvgShape& drawn) {
         const Paint paint = to_paint(drawn.style, scale_);
         const Path path =
             without_short_segments(transformed(leaf_from_root_, drawn.path), kShortest);
@@ -99,9 +99,10 @@ class LeafMaker {
         }
         const FillRings rings = has_fill ? fill_rings(path, drawn.style.even_odd) : FillRings{};
         if (!rings.is_exact) {
-            report_.warn(
-                drawn.style.fill_rule_spot,
-                "fill-rule: 'evenodd' is not kept where rings cross (the rule is nonzero)");
+            const bool even_odd = drawn.style.even_odd;
+            report_.warn(even_odd ? drawn.style.fill_rule_spot : drawn.spot,
+                         even_odd ? "fill-rule: 'evenodd' is not kept where rings cross"
+                                  : "the fill is not kept where a hole sticks out of its outline");
         }
         const bool is_one = !drawn.style.stroke_below && is_closed(path) &&
                             rings.path.verbs.size() == path.verbs.size();
@@ -126,14 +127,14 @@ class LeafMaker {
 
     Affine leaf_from_root_;
     double scale_;
-    Report& report_;
+    svg::Report& report_;
 };
 
-Spot root_spot(const SvgDocument& document) {
-    return {offset_of(document.root()), {}, false, 0};
+svg::Spot root_spot(const svg::SvgDocument& document) {
+    return {svg::offset_of(document.root()), {}, false, 0};
 }
 
-void refuse_degenerate(const Bounds& box, const SvgDocument& document, Report& report) {
+void refuse_degenerate(const Bounds& box, const svg::SvgDocument& document, svg::Report& report) {
     if (box.empty()) {
         report.error(root_spot(document), "nothing is drawn (expected a filled or stroked shape)");
     } else if (!(box.height() > box.width() * kFlattest)) {
@@ -149,10 +150,10 @@ void refuse_degenerate(const Bounds& box, const SvgDocument& document, Report& r
 }  // namespace
 
 LeafImport read_leaf(std::string_view svg_text, const std::string& file) {
-    const std::string text = utf8_text(svg_text);
-    Report report(text, file);
-    const SvgDocument document(text, report);
-    const SvgPicture picture = collect_shapes(document, report);
+    const std::string text = svg::utf8_text(svg_text);
+    svg::Report report(text, file);
+    const svg::SvgDocument document(text, report);
+    const svg::SvgPicture picture = svg::collect_shapes(document, report);
     report.throw_if_failed();
     const Bounds box = outline_box(picture.shapes);
     refuse_degenerate(box, document, report);
@@ -160,7 +161,7 @@ LeafImport read_leaf(std::string_view svg_text, const std::string& file) {
     const double scale = kLeafLength / box.height();
     const double turn = stem.y < box.centre().y ? -scale : scale;
     LeafMaker maker(Affine(turn, 0, 0, turn, -turn * stem.x, -turn * stem.y), scale, report);
-    for (const SvgShape& shape : picture.shapes)
+    for (const svg::SvgShape& shape : picture.shapes)
         maker.add(shape);
     if (maker.shapes.empty()) refuse_degenerate({}, document, report);
     return {{name_of(file), std::move(maker.shapes), maker.box}, report.warnings()};

@@ -188,7 +188,7 @@ class PathReader {
     }
 
     [[noreturn]] void fail(const std::string& why) const {
-        throw SyntaxError(scanner_.offset(), scanner_.here() + ' ' + why);
+        throw SyntaxError(scanner_.offset(), scanner_.sign_here() + ' ' + why);
     }
 
     Scanner scanner_;

@@ -6,7 +6,7 @@
 
 #include "base/locate.h"
 
-namespace edaha {
+namespace edaha::svg {
 namespace {
 
 // Nobody reads more, and each costs a walk through the text.
@@ -53,4 +53,4 @@ std::vector<Problem> Report::problems(const Notes& notes) const {
     return problems;
 }
 
-}  // namespace edaha
+}  // namespace edaha::svg

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 
-namespace edaha {
+namespace edaha::svg {
 
 // Something in an XML source, cheap to note and found again only when it is reported.
 struct Spot {
@@ -64,4 +64,4 @@ class Report {
     Notes warnings_;
 };
 
-}  // namespace edaha
+}  // namespace edaha::svg

@@ -108,13 +108,16 @@ std::optional<double> Scanner::take_number() {
 }
 
 std::string Scanner::here() const {
+    if (at_end() || !is_word(peek())) return sign_here();
+    Scanner rest = *this;
+    return quoted(rest.take_word());
+}
+
+std::string Scanner::sign_here() const {
+    if (text_.empty()) return "''";
     if (at_end()) return "the end";
-    std::string_view rest = text_.substr(at_);
-    std::size_t length = 1;
-    while (length < rest.size() && is_word(rest[0]) && is_word(rest[length]))
-        ++length;
-    length = std::max(length, code_point_length(rest));
-    return quoted(rest.substr(0, length));
+    const std::string_view rest = text_.substr(at_);
+    return quoted(rest.substr(0, std::max<std::size_t>(code_point_length(rest), 1)));
 }
 
 std::string quoted(std::string_view text) {

@@ -44,8 +44,9 @@ class Scanner {
     // Throws SyntaxError beyond kLargestNumber.
     std::optional<double> take_number();
 
-    // What stands here, quoted, for messages; "the end" at the end.
+    // What stands here, quoted, for messages: a word or one sign; "the end" at the end.
     std::string here() const;
+    std::string sign_here() const;  // one sign, also of a word
 
   private:
     std::string_view text_;

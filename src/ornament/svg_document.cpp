@@ -6,7 +6,7 @@
 #include "ornament/report.h"
 #include "ornament/scan.h"
 
-namespace edaha {
+namespace edaha::svg {
 namespace {
 
 std::string explain(pugi::xml_parse_status status) {
@@ -31,11 +31,23 @@ std::string explain(pugi::xml_parse_status status) {
             return "this end tag is not closed by >";
         case pugi::status_bad_attribute:
             return "this attribute is not name=\"value\"";
-        case pugi::status_end_element_mismatch:
-            return "end tag and start tag don't match";
         default:
             return "cannot be read";
     }
+}
+
+// pugixml's offset is where the names begin to differ, or the end.
+[[noreturn]] void refuse_mismatch(std::string_view text, std::size_t offset, Report& report) {
+    const std::size_t tag = text.rfind("</", offset);
+    const bool is_in_tag = tag != std::string_view::npos &&
+                           text.substr(tag, offset - tag).find('>') == std::string_view::npos;
+    if (!is_in_tag) {
+        report.fail({text.size(), {}, false, 0}, "XML: the file ends, but not all its elements do");
+    }
+    Scanner scanner(text.substr(tag + 2));
+    const std::string name(trimmed(scanner.take_until('>')));
+    report.fail({tag, {}, false, 0},
+                "XML: " + quoted("</" + name + ">") + " does not end the element that is open");
 }
 
 bool is_latin1(std::string_view text) {
@@ -73,7 +85,9 @@ SvgDocument::SvgDocument(std::string_view text, Report& report) {
     // Entities of a DTD are never resolved: pugixml knows the five of XML and numbers only.
     const pugi::xml_parse_result parsed =
         document_.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
-    refuse_if(!parsed, static_cast<std::size_t>(parsed.offset), "XML: " + explain(parsed.status));
+    const auto fault = static_cast<std::size_t>(parsed.offset);
+    if (parsed.status == pugi::status_end_element_mismatch) refuse_mismatch(text, fault, report);
+    refuse_if(!parsed, fault, "XML: " + explain(parsed.status));
     const std::string_view name = root().name();
     const std::size_t colon = name.rfind(':');
     prefix_ = colon == std::string_view::npos ? "svg:" : std::string(name.substr(0, colon + 1));
@@ -127,4 +141,4 @@ void SvgDocument::index_elements(Report& report) {
     }
 }
 
-}  // namespace edaha
+}  // namespace edaha::svg

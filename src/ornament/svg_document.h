@@ -8,7 +8,7 @@
 
 #include <pugixml.hpp>
 
-namespace edaha {
+namespace edaha::svg {
 
 class Report;
 
@@ -58,4 +58,4 @@ inline std::size_t offset_of(pugi::xml_node node) {
     return offset < 0 ? 0 : static_cast<std::size_t>(offset);
 }
 
-}  // namespace edaha
+}  // namespace edaha::svg

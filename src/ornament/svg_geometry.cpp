@@ -13,7 +13,7 @@
 #include "ornament/svg_document.h"
 #include "ornament/svg_values.h"
 
-namespace edaha {
+namespace edaha::svg {
 namespace {
 
 Path lone_point(Vec2 p) {
@@ -149,4 +149,4 @@ Path read_geometry(pugi::xml_node node, std::string_view element, const LengthRe
     });
 }
 
-}  // namespace edaha
+}  // namespace edaha::svg

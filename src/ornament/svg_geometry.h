@@ -7,7 +7,7 @@
 #include "geometry/path.h"
 #include "ornament/report.h"
 
-namespace edaha {
+namespace edaha::svg {
 
 // What percentages are of: the drawing's view box.
 struct Viewport {
@@ -36,4 +36,4 @@ class LengthReader {
 // draws nothing but has a place. Wrong values are errors, and give an empty path.
 Path read_geometry(pugi::xml_node node, std::string_view element, const LengthReader& lengths);
 
-}  // namespace edaha
+}  // namespace edaha::svg

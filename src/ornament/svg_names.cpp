@@ -8,7 +8,7 @@
 
 #include "base/nearest_name.h"
 
-namespace edaha {
+namespace edaha::svg {
 namespace {
 
 using Names = std::span<const std::string_view>;
@@ -228,4 +228,4 @@ std::string meant_property(std::string_view name) {
     return did_you_mean(name, known);
 }
 
-}  // namespace edaha
+}  // namespace edaha::svg

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace edaha {
+namespace edaha::svg {
 
 // What we make of the names of SVG and of the programs that write it.
 
@@ -37,4 +37,4 @@ bool is_plain_attribute(std::string_view name);
 std::string meant_element(std::string_view name);
 std::string meant_property(std::string_view name);
 
-}  // namespace edaha
+}  // namespace edaha::svg

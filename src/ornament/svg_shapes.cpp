@@ -16,7 +16,7 @@
 #include "ornament/svg_names.h"
 #include "ornament/svg_values.h"
 
-namespace edaha {
+namespace edaha::svg {
 namespace {
 
 constexpr Affine kIdentity(1, 0, 0, 1, 0, 0);
@@ -361,4 +361,4 @@ SvgPicture collect_shapes(const SvgDocument& document, Report& report) {
     return Collector(document, report).run();
 }
 
-}  // namespace edaha
+}  // namespace edaha::svg

@@ -8,7 +8,7 @@
 #include "ornament/svg_document.h"
 #include "ornament/svg_style.h"
 
-namespace edaha {
+namespace edaha::svg {
 
 // One drawn path, in the user units of the drawing's root.
 struct SvgShape {
@@ -28,4 +28,4 @@ struct SvgPicture {
 // symbols and nested <svg>, which are not clipped.
 SvgPicture collect_shapes(const SvgDocument& document, Report& report);
 
-}  // namespace edaha
+}  // namespace edaha::svg

@@ -11,7 +11,7 @@
 #include "ornament/scan.h"
 #include "ornament/svg_names.h"
 
-namespace edaha {
+namespace edaha::svg {
 namespace {
 
 Spot moved(Spot spot, std::size_t by) {
@@ -277,4 +277,4 @@ SvgColour StyleResolver::stop_colour(pugi::xml_node stop) const {
     return colour;
 }
 
-}  // namespace edaha
+}  // namespace edaha::svg

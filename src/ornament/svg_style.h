@@ -13,7 +13,7 @@
 #include "ornament/svg_document.h"
 #include "ornament/svg_values.h"
 
-namespace edaha {
+namespace edaha::svg {
 
 // A fill or stroke with everything resolved. `leaf` is the palette's leaf colour.
 struct SvgInk {
@@ -70,10 +70,10 @@ class StyleResolver {
 
     const SvgDocument& document_;
     Report& report_;
-    StyleSheet sheet_;
+    CssSheet sheet_;
 };
 
 // The blank-separated words of a class attribute.
 std::vector<std::string_view> class_tokens(std::string_view text);
 
-}  // namespace edaha
+}  // namespace edaha::svg

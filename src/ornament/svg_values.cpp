@@ -11,7 +11,7 @@
 #include "ornament/named_colours.h"
 #include "ornament/scan.h"
 
-namespace edaha {
+namespace edaha::svg {
 namespace {
 
 [[noreturn]] void fail(const Scanner& scanner, const std::string& why) {
@@ -23,10 +23,10 @@ void expect_end(Scanner& scanner, const std::string& expected) {
     if (!scanner.at_end()) fail(scanner, "is too much (expected " + expected + ')');
 }
 
-double expect_number(Scanner& scanner) {
+double expect_number(Scanner& scanner, const std::string& expected) {
     scanner.skip_space();
     const std::optional<double> value = scanner.take_number();
-    if (!value) fail(scanner, "is not a number");
+    if (!value) fail(scanner, "is not a number (expected " + expected + ')');
     return *value;
 }
 
@@ -46,7 +46,7 @@ std::vector<double> read_arguments(Scanner& scanner) {
     std::vector<double> numbers;
     scanner.skip_space();
     while (!scanner.take(')')) {
-        numbers.push_back(expect_number(scanner));
+        numbers.push_back(expect_number(scanner, "numbers and a closing parenthesis"));
         scanner.skip_comma();
     }
     return numbers;
@@ -143,7 +143,7 @@ SvgColour read_rgb(Scanner& scanner) {
     std::size_t count = 0;
     for (scanner.skip_space(); !scanner.take(')'); ++count) {
         if (count == 4) fail(scanner, "is too much (expected rgb(r, g, b))");
-        value[count] = expect_number(scanner);
+        value[count] = expect_number(scanner, "rgb(r, g, b)");
         if (scanner.take('%')) value[count] *= count < 3 ? 2.55 : 0.01;
         if (!scanner.skip_comma()) scanner.take('/');
     }
@@ -206,7 +206,7 @@ SvgLength read_length(std::string_view text) {
 
 double read_opacity(std::string_view text) {
     Scanner scanner(text);
-    double value = expect_number(scanner);
+    double value = expect_number(scanner, "0 to 1");
     if (scanner.take('%')) value /= 100;
     expect_end(scanner, "one number");
     return std::clamp(value, 0.0, 1.0);
@@ -217,10 +217,10 @@ std::vector<Vec2> read_points(std::string_view text) {
     std::vector<Vec2> points;
     scanner.skip_space();
     while (!scanner.at_end()) {
-        const double x = expect_number(scanner);
+        const double x = expect_number(scanner, "x,y of every point");
         scanner.skip_comma();
-        if (scanner.at_end()) fail(scanner, "is not a number (expected x and y of every point)");
-        points.emplace_back(x, expect_number(scanner));
+        if (scanner.at_end()) fail(scanner, "is not a number (expected x,y of every point)");
+        points.emplace_back(x, expect_number(scanner, "x,y of every point"));
         scanner.skip_comma();
     }
     return points;
@@ -230,7 +230,7 @@ ViewBox read_view_box(std::string_view text) {
     Scanner scanner(text);
     std::array<double, 4> number{};
     for (double& n : number) {
-        n = expect_number(scanner);
+        n = expect_number(scanner, "min-x min-y width height");
         scanner.skip_comma();
     }
     expect_end(scanner, "min-x min-y width height");
@@ -300,4 +300,4 @@ std::optional<std::string> read_reference(std::string_view text) {
     return url.substr(1);
 }
 
-}  // namespace edaha
+}  // namespace edaha::svg

@@ -8,7 +8,7 @@
 #include "drawing/paint.h"
 #include "geometry/path.h"
 
-namespace edaha {
+namespace edaha::svg {
 
 // Values of SVG 1.1's attributes and properties. All throw SyntaxError (scan.h) with the place in
 // the text. Spaces around are allowed. Linear.
@@ -58,4 +58,4 @@ SvgPaint read_paint(std::string_view text);
 // The id of "#id" or url(#id), with or without quotes; none for anything else.
 std::optional<std::string> read_reference(std::string_view text);
 
-}  // namespace edaha
+}  // namespace edaha::svg
