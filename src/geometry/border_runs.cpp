@@ -35,8 +35,9 @@ bool stays_near(const std::vector<Vec2>& line, const std::vector<Vec2>& other, d
 
 class RunFinder {
   public:
-    RunFinder(const Cover& cover, std::span<const std::uint32_t> ring, double reach)
-        : cover_(cover), map_(cover.map), ring_(ring), reach_(reach) {}
+    RunFinder(const Cover& cover, std::span<const std::uint32_t> ring,
+              std::span<const std::uint8_t> touching, double reach)
+        : cover_(cover), map_(cover.map), ring_(ring), touching_(touching), reach_(reach) {}
 
     std::vector<BorderRun> find() {
         for (std::uint32_t i = 0; i < ring_.size(); ++i)
@@ -65,6 +66,7 @@ class RunFinder {
         BorderRun run;
         run.ring = chords.ring_of[use.segment];
         run.forward = use.forward == (h % 2 == 0);
+        run.straight = chords.curves[chords.curve_of[use.segment]].straight;
         run.start = map_.nodes[map_.origin(h)];
         run.stop = map_.nodes[map_.target(h)];
         const double place = use.segment - chords.rings[run.ring].first_chord;
@@ -108,15 +110,21 @@ class RunFinder {
     bool continues(const BorderRun& before, const BorderRun& after) const {
         const auto chords = gap(before, after);
         if (!chords) return false;
+        if (before.straight && after.straight && touches_before(after)) return false;
         if (*chords < 1e-9) return true;
         return *chords < 8 && stays_near(source_line(before, before.end, *chords),
                                          {to_vec(before.stop)}, kSnapReach);
+    }
+
+    bool touches_before(const BorderRun& run) const {
+        return touching_[map_.origin(ring_[run.first])] != 0;
     }
 
     void extend(BorderRun& run, const BorderRun& more, double chords) const {
         const double length = chords + std::abs(more.end - more.begin);
         run.end += run.forward ? length : -length;
         run.stop = more.stop;
+        run.straight = run.straight && more.straight;
         const auto size = static_cast<std::uint32_t>(ring_.size());
         run.count = (more.first + more.count + 2 * size - run.first) % size;
         if (run.count == 0) run.count = size;
@@ -164,6 +172,7 @@ class RunFinder {
     std::size_t return_after(const BorderRun& run, std::size_t i) const {
         const std::size_t last = std::min(runs_.size() - 1, i + 1 + kMostRunsBetween);
         for (std::size_t j = i + 2; j <= last; ++j) {
+            if (run.straight && runs_[j].straight) continue;  // polygons don't weave
             const auto chords = gap(run, runs_[j]);
             if (!chords || *chords > kMostChordsBetween) continue;
             if (std::abs(run.end - run.begin) + *chords > ring_length(run)) continue;
@@ -189,15 +198,27 @@ class RunFinder {
     const Cover& cover_;
     const PlanarMap& map_;
     std::span<const std::uint32_t> ring_;
+    std::span<const std::uint8_t> touching_;
     double reach_;
     std::vector<BorderRun> runs_;
 };
 
 }  // namespace
 
+std::vector<std::uint8_t> touching_nodes(const PlanarMap& map, const RegionRings& rings) {
+    std::vector<std::uint8_t> visits(map.nodes.size(), 0);
+    for (const std::uint32_t h : rings.half_edges) {
+        std::uint8_t& count = visits[map.origin(h)];
+        count = static_cast<std::uint8_t>(std::min(count + 1, 2));
+    }
+    for (std::uint8_t& count : visits)
+        count = count > 1;
+    return visits;
+}
+
 std::vector<BorderRun> border_runs(const Cover& cover, std::span<const std::uint32_t> ring,
-                                   double reach) {
-    return RunFinder(cover, ring, reach).find();
+                                   std::span<const std::uint8_t> touching, double reach) {
+    return RunFinder(cover, ring, touching, reach).find();
 }
 
 }  // namespace edaha

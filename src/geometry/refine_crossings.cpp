@@ -43,6 +43,8 @@ void refine(const Chords& chords, BorderRun& run, BorderRun& next, double tolera
     const CurvePlace begin = curve_place(chords, next.ring, next.begin, next.forward);
     const SourceCurve& a = chords.curves[end.curve];
     const SourceCurve& b = chords.curves[begin.curve];
+    // Where lines cross the grid has the crossing already; one curve doesn't cross itself here.
+    if ((a.straight && b.straight) || end.curve == begin.curve) return;
     const auto found = find_crossing(a.cubic, b.cubic, {end.t, begin.t}, chords.grid * 0.125);
     if (!found) return;
     const Vec2 place = eval(a.cubic, found->s) / chords.grid;

@@ -36,7 +36,8 @@ struct Arrangement {
 // each segment is bent through all nodes whose pixels it passes. Pixels are half open,
 // [-1/2, 1/2) on both axes. Nothing moves by more than a pixel's half diagonal, no two edges
 // cross, and a segment's order along any line of the grid is kept. All tests are exact. Segments
-// that end up in one node vanish. Coordinates within kGridLimit.
+// that end up in one node vanish. Rounding the result again may bend an edge through a node that
+// it now comes close to. Coordinates within kGridLimit.
 // Expected O((n + k) log(n + k)) for k crossings.
 Arrangement snap_round(std::span<const GridSegment> segments);
 

@@ -149,13 +149,15 @@ Path closed_path(const Pieces& pieces) {
 }
 
 // A ring as a path; empty if nothing is left of it.
-Path make_ring(const Cover& cover, std::span<const std::uint32_t> half_edges, double tolerance) {
+Path make_ring(const Cover& cover, std::span<const std::uint32_t> half_edges,
+               std::span<const std::uint8_t> touching, double tolerance) {
     // Two outlines within the tolerance of one curve are within two of each other; the grid adds
     // a step.
     const double reach = 2 * tolerance / cover.chords.grid + 1;
     PieceCutter cutter(cover.chords);
-    const std::vector<BorderRun> runs = border_runs(cover, half_edges, reach);
-    for (const BorderRun& run : refine_crossings(cover.chords, runs, tolerance)) cutter.add(run);
+    const std::vector<BorderRun> runs = border_runs(cover, half_edges, touching, reach);
+    for (const BorderRun& run : refine_crossings(cover.chords, runs, tolerance))
+        cutter.add(run);
     Pieces pieces = cutter.take();
     drop_specks(pieces, tolerance);
     if (pieces.empty()) return {};
@@ -189,10 +191,11 @@ bool is_speck(const Cover& cover, const RegionRings& rings, const RegionRings::R
 Path unite(std::span<const Path> closed, const UniteParams& params) {
     const Cover cover = cover_plane(closed, {params.tolerance, params.grid});
     const RegionRings rings = trace_region_rings(cover.map, cover.covered);
+    const std::vector<std::uint8_t> touching = touching_nodes(cover.map, rings);
     std::vector<Path> outlines, holes;
     for (const RegionRings::Ring& ring : rings.rings) {
         if (is_speck(cover, rings, ring, params)) continue;
-        Path path = make_ring(cover, rings.of(ring), params.tolerance);
+        Path path = make_ring(cover, rings.of(ring), touching, params.tolerance);
         if (path.empty() || (signed_area(path) > 0) != (ring.area > 0)) continue;
         (ring.area > 0 ? outlines : holes).push_back(std::move(path));
     }
