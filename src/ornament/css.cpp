@@ -89,6 +89,15 @@ std::optional<CssSelector> read_selector(std::string_view text) {
     return selector;
 }
 
+// The keys of CssSheet's rules that an element may match.
+std::vector<std::string> keys_of(const CssSubject& subject) {
+    std::vector<std::string> keys{"", std::string(subject.element)};
+    for (const std::string_view c : subject.classes)
+        keys.push_back('.' + std::string(c));
+    if (!subject.id.empty()) keys.push_back('#' + std::string(subject.id));
+    return keys;
+}
+
 }  // namespace
 
 std::vector<CssDeclaration> read_declarations(std::string_view text,
@@ -188,21 +197,26 @@ std::vector<CssComplaint> CssSheet::add(std::string_view text, std::size_t base)
     return complaints;
 }
 
+const std::vector<std::size_t>& CssSheet::rules_for(const std::string& key) const {
+    static const std::vector<std::size_t> none;
+    const auto found = rules_by_key_.find(key);
+    return found == rules_by_key_.end() ? none : found->second;
+}
+
+std::size_t CssSheet::candidates(const CssSubject& subject) const {
+    std::size_t count = 0;
+    for (const std::string& key : keys_of(subject))
+        count += rules_for(key).size();
+    return count;
+}
+
 std::vector<const CssDeclaration*> CssSheet::match(const CssSubject& subject) const {
     std::vector<std::size_t> matching;
-    const auto add_matches = [&](const std::string& key) {
-        const auto found = rules_by_key_.find(key);
-        if (found == rules_by_key_.end()) return;
-        for (const std::size_t i : found->second) {
+    for (const std::string& key : keys_of(subject)) {
+        for (const std::size_t i : rules_for(key)) {
             if (rules_[i].selector.matches(subject)) matching.push_back(i);
         }
-    };
-    if (rules_.empty()) return {};
-    add_matches("");
-    add_matches(std::string(subject.element));
-    for (const std::string_view c : subject.classes)
-        add_matches('.' + std::string(c));
-    if (!subject.id.empty()) add_matches('#' + std::string(subject.id));
+    }
     std::sort(matching.begin(), matching.end(), [&](std::size_t a, std::size_t b) {
         return std::tuple(rules_[a].selector.specificity(), a) <
                std::tuple(rules_[b].selector.specificity(), b);

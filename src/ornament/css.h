@@ -54,10 +54,14 @@ class CssSheet {
     // Adds a text's rules; offsets of its declarations are counted from `base`.
     std::vector<CssComplaint> add(std::string_view text, std::size_t base);
 
+    // How many rules match() looks at: its cost.
+    std::size_t candidates(const CssSubject& subject) const;
+
     // The declarations for it, the weakest first (6.4.1), without looking at `important`.
     std::vector<const CssDeclaration*> match(const CssSubject& subject) const;
 
   private:
+    const std::vector<std::size_t>& rules_for(const std::string& key) const;
     void add_rule(CssSelector selector, std::size_t block);
 
     std::vector<CssRule> rules_;

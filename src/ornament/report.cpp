@@ -19,6 +19,10 @@ void Report::note(Notes& notes, const Spot& spot, const std::string& message) {
     if (notes.size() <= kMostListed) notes.insert({spot, message});
 }
 
+bool Report::is_full() const {
+    return warnings_.size() > kMostListed;
+}
+
 void Report::fail(const Spot& spot, const std::string& message) {
     error(spot, message);
     throw InputError(problems(errors_));

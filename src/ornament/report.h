@@ -40,6 +40,9 @@ class Report {
 
     [[noreturn]] void fail(const Spot& spot, const std::string& message);
 
+    // Further warnings would not be listed.
+    bool is_full() const;
+
     bool failed() const { return !errors_.empty(); }
     void throw_if_failed() const;
 

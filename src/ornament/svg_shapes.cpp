@@ -63,6 +63,7 @@ class Collector {
         }
         Context context;
         visit(document_.root(), context);
+        charge(document_.root());  // for what the last one cost
         if (!picture_.stem) look_for_misnamed_stem();
         return std::move(picture_);
     }
@@ -120,9 +121,10 @@ void Collector::charge(pugi::xml_node node) {
     for (const pugi::xml_attribute attribute : node.attributes()) {
         work_ += 16 + std::string_view(attribute.value()).size();
     }
-    if (work_ > kMostWork) {
+    // A declaration costs about as much as 64 bytes.
+    if (work_ + 64 * styles_.work() > kMostWork) {
         report_.fail(spot_of(node),
-                     fmt::format("the drawing is too large with all its <use> written out "
+                     fmt::format("the drawing is too large with all <use> and styles written out "
                                  "(expected at most {} bytes)",
                                  kMostWork));
     }

@@ -88,6 +88,7 @@ void StyleResolver::add_attributes(std::vector<Declared>& declared, pugi::xml_no
         const std::string_view name = attribute.name();
         if (is_plain_attribute(name)) continue;
         if (property_role(name) == PropertyRole::unknown) {
+            if (report_.is_full()) continue;
             report_.warn(attribute_spot(offset_of(node), std::string(name)),
                          fmt::format("{}: attribute {} is unknown, and left out{}", node.name(),
                                      quoted(name), meant_property(name)));
@@ -114,10 +115,13 @@ std::vector<StyleResolver::Declared> StyleResolver::cascade(pugi::xml_node node)
     add_attributes(declared, node);
     const CssSubject subject{document_.element(node), node.attribute("id").value(),
                              class_tokens(node.attribute("class").value())};
+    work_ += sheet_.candidates(subject);
+    if (work_ > kMostWork / 64) return declared;  // the caller gives up
     for (const CssDeclaration* d : sheet_.match(subject)) {
         declared.push_back({d->property, d->value, {d->offset, {}, false, 0}, d->important});
     }
     add_style_attribute(declared, node);
+    work_ += declared.size();
     std::stable_partition(declared.begin(), declared.end(),
                           [](const Declared& d) { return !d.important; });
     return declared;

@@ -50,6 +50,9 @@ class StyleResolver {
 
     SvgStyle resolve(const SvgStyle& parent, pugi::xml_node node) const;
 
+    // Rules and declarations looked at since the beginning.
+    std::size_t work() const { return work_; }
+
   private:
     struct Declared {
         std::string property;
@@ -71,6 +74,7 @@ class StyleResolver {
     const SvgDocument& document_;
     Report& report_;
     CssSheet sheet_;
+    mutable std::size_t work_ = 0;
 };
 
 // The blank-separated words of a class attribute.
