@@ -24,10 +24,6 @@ CurveSample LimbSection::sample(double across) const {
     return {at(across), forward > 0.05 ? direction : Vec2(0, 0)};
 }
 
-double LimbCurve::chord_mm(std::size_t span) const {
-    return glm::distance(nodes_[span].position, nodes_[span + 1].position);
-}
-
 LimbSection LimbCurve::section(LimbPlace place) const {
     const LimbNode& a = nodes_[place.span];
     const LimbNode& b = nodes_[place.span + 1];

@@ -43,7 +43,8 @@ class LimbCurve {
     LimbPlace walk(std::size_t node, double distance_mm) const;
     double length_mm(std::size_t from_node, std::size_t to_node) const;
     std::size_t spans() const { return nodes_.size() - 1; }
-    double chord_mm(std::size_t span) const;
+    double chord_mm(std::size_t span) const { return nodes_[span].chord; }
+    bool flared() const { return flare_ > 0; }
 
   private:
     std::span<const LimbNode> nodes_;

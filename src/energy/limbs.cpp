@@ -164,12 +164,15 @@ class LimbMaker {
     }
 
     // Fritsch & Carlson (1980): harmonic means of the slopes keep a falling width falling.
+    // Chords too.
     static void set_tapers(std::span<LimbNode> nodes) {
-        const auto slope = [&](std::size_t i) {
-            const double chord = glm::distance(nodes[i].position, nodes[i + 1].position);
-            return (nodes[i + 1].half_width - nodes[i].half_width) / chord;
-        };
         const std::size_t last = nodes.size() - 1;
+        for (std::size_t i = 0; i < last; ++i) {
+            nodes[i].chord = glm::distance(nodes[i].position, nodes[i + 1].position);
+        }
+        const auto slope = [&](std::size_t i) {
+            return (nodes[i + 1].half_width - nodes[i].half_width) / nodes[i].chord;
+        };
         nodes[0].taper = slope(0);
         nodes[last].taper = slope(last - 1);
         for (std::size_t i = 1; i < last; ++i) {
@@ -206,14 +209,14 @@ class LimbMaker {
         diagonal_[0] = 0;  // the upper coefficient after elimination
         for (std::size_t i = 1; i < n; ++i) {
             const Vec2 before = nodes[i].position - nodes[i - 1].position;
-            const double h0 = glm::length(before);
+            const double h0 = nodes[i - 1].chord;
             if (i + 1 == n) {  // no curvature at the tip: v[n-2] + 2 v[n-1] = 3 slope
                 const double pivot = 2 - diagonal_[i - 1];
                 nodes[i].velocity = (before * (3 / h0) - nodes[i - 1].velocity) / pivot;
                 break;
             }
             const Vec2 after = nodes[i + 1].position - nodes[i].position;
-            const double h1 = glm::length(after);
+            const double h1 = nodes[i].chord;
             const Vec2 right = 3.0 * (before * (h1 / h0) + after * (h0 / h1));
             const double pivot = 2 * (h0 + h1) - h1 * diagonal_[i - 1];
             diagonal_[i] = h0 / pivot;

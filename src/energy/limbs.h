@@ -19,6 +19,7 @@ struct LimbNode {
     Vec2 velocity;  // |velocity| is near 1
     double half_width = 0;
     double taper = 0;  // d half_width / d chord length, <= 0
+    double chord = 0;  // to the next node of the limb
 };
 
 // The chain that follows the child of most energy at each fork; the trunk is limb 0, and parents

@@ -3,165 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "energy/flank.h"
+#include "energy/joint.h"
 #include "geometry/measure.h"
 
 namespace edaha {
 namespace {
 
-double cross(Vec2 a, Vec2 b) {
-    return a.x * b.y - a.y * b.x;
-}
-
-// A flank may be off by a thirtieth of the limb's half width: less than the eye sees on a fat limb,
-// while a twig has its two nodes a flank. Never more than 0.05 mm.
-double flank_tolerance_mm(double half_width) {
-    return std::clamp(half_width / 30, 0.004, 0.05);
-}
-
-// Enough samples that the fit sees each S of a span: a flank may turn sharply on the inner side of
-// a bend. A twig's four are hardly wider apart than it is thick.
-int samples_of_span(double chord_mm, double half_width, bool flared) {
-    if (flared) return 16;
-    if (half_width > 0.4) return 12;
-    return chord_mm < 1.5 ? 4 : 7;
-}
-
 void add_cubics(Path& path, const std::vector<Cubic>& cubics) {
     for (const Cubic& c : cubics)
         path.cubic_to(c.p1, c.p2, c.p3);
-}
-
-// Where a child's flank comes out of its parent: the fillet from the parent's flank to the child's.
-struct Fillet {
-    CurveSample parent;  // on the parent's flank; the tangent runs with the fillet
-    CurveSample child;
-    Vec2 corner;          // where the flanks cross
-    LimbPlace place;      // of `child` on the child
-    double along_mm = 0;  // of `parent`, from the joint along the parent
-};
-
-class Joint {
-  public:
-    Joint(const LimbCurve& child, const LimbCurve& parent, std::size_t parent_node,
-          double radius_mm)
-        : child_(child), parent_(parent), node_(parent_node), radius_mm_(radius_mm) {
-        const double child_length = child.length_mm(0, child.spans());
-        // A child that stays inside its parent for two thirds of its way has no joint to show.
-        limit_ = child_length * 0.66;
-        const double reach = parent.section_at_node(parent_node).half_width;
-        stride_ = std::max(std::min(limit_ / 24, reach / 3), limit_ / 400);
-        // The side on which the centre line comes out; it may weave within a thick parent.
-        double across = 0;
-        for (double s = stride_; s <= limit_; s += stride_) {
-            const Vec2 point = flank_point(0, s);
-            const LimbSection section = parent_section(point);
-            across = cross(section.tangent, point - section.centre);
-            if (std::abs(across) > section.half_width) break;
-        }
-        side_ = across >= 0 ? 1 : -1;
-    }
-
-    int side() const { return side_; }
-
-    // `flank` is the child's side (+1, -1); `ahead` says whether the fillet lies on the parent's
-    // far side of the joint (the crotch).
-    std::optional<Fillet> fillet(int flank, bool ahead) const {
-        // Where it comes out: steps along the child, then halving.
-        double inside = 0, outside = -1;
-        for (double s = stride_; s <= limit_; s += stride_) {
-            if (!within_parent(flank, s)) {
-                outside = s;
-                break;
-            }
-            inside = s;
-        }
-        if (outside < 0) return std::nullopt;
-        for (int i = 0; i < 12; ++i) {
-            const double middle = (inside + outside) / 2;
-            (within_parent(flank, middle) ? inside : outside) = middle;
-        }
-        Fillet result;
-        result.corner = flank_point(flank, outside);
-        const double reach = std::min(radius_mm_, (limit_ / 0.66 - outside) * 0.4);
-        result.place = child_.walk(0, outside + reach);
-        const LimbSection section = child_.section(result.place);
-        result.child = section.sample(flank);
-        const double along = parent_distance(result.corner) + (ahead ? reach : -reach);
-        result.along_mm = along;
-        const LimbSection base = parent_.section(parent_.walk(node_, along));
-        // A hair inside the parent, by what its own flank may be off.
-        const double inset = 1.5 * flank_tolerance_mm(base.half_width) / base.half_width;
-        result.parent = base.sample(side_ * (1 - std::min(inset, 0.2)));
-        if (ahead) result.parent.tangent = -result.parent.tangent;
-        if (glm::length(result.parent.tangent) == 0 || glm::length(result.child.tangent) == 0) {
-            return std::nullopt;
-        }
-        return result;
-    }
-
-  private:
-    Vec2 flank_point(int flank, double s) const {
-        return child_.section(child_.walk(0, s)).at(flank);
-    }
-
-    // Chord length along the parent, from the joint, of the section through a point.
-    double parent_distance(Vec2 point) const {
-        double s = 0;
-        for (int step = 0; step < 2; ++step) {
-            const LimbSection section = parent_.section(parent_.walk(node_, s));
-            s += glm::dot(point - section.centre, section.tangent);
-        }
-        return s;
-    }
-
-    LimbSection parent_section(Vec2 point) const {
-        return parent_.section(parent_.walk(node_, parent_distance(point)));
-    }
-
-    bool within_parent(int flank, double s) const {
-        const Vec2 point = flank_point(flank, s);
-        const LimbSection section = parent_section(point);
-        return side_ * cross(section.tangent, point - section.centre) < section.half_width;
-    }
-
-    const LimbCurve& child_;
-    const LimbCurve& parent_;
-    std::size_t node_;
-    double radius_mm_;
-    double limit_ = 0;  // how far along the child a joint is looked for
-    double stride_ = 0;
-    int side_ = 1;
-};
-
-// Samples of one flank from a place to the tip.
-std::vector<CurveSample> flank_samples(const LimbCurve& curve, double across, LimbPlace from,
-                                       bool flared) {
-    std::vector<CurveSample> samples;
-    const auto add = [&](LimbPlace place) {
-        const CurveSample sample = curve.section(place).sample(across);
-        if (glm::length(sample.tangent) > 0) samples.push_back(sample);
-    };
-    add(from);
-    for (std::size_t span = from.span; span < curve.spans(); ++span) {
-        const double start = span == from.span ? from.t : 0;
-        const double half_width = curve.section({span, 0}).half_width;
-        const int count = samples_of_span(curve.chord_mm(span), half_width, flared && span <= 1);
-        const double left = 1 - start;
-        if (left < 0.02) continue;
-        for (int i = 1; i <= count; ++i)
-            add({span, start + left * i / count});
-    }
-    return samples;
-}
-
-std::vector<Cubic> fit_flank(const LimbCurve& curve, double across, LimbPlace from, bool flared) {
-    const double half_width = curve.section(from).half_width;
-    return fit_cubics(flank_samples(curve, across, from, flared), flank_tolerance_mm(half_width));
 }
 
 // Half a turn from one flank's end to the other's: arms of 4/3 make the cubic that is nearest to a
@@ -196,8 +51,8 @@ struct Flanks {
     std::vector<Cubic> up, down;
 };
 
-Flanks fit_flanks(const LimbCurve& curve, int first, LimbPlace up, LimbPlace down, bool flared) {
-    return {fit_flank(curve, first, up, flared), backwards(fit_flank(curve, -first, down, flared))};
+Flanks fit_flanks(const LimbCurve& curve, int first, LimbPlace up, LimbPlace down) {
+    return {fit_flank(curve, first, up), backwards(fit_flank(curve, -first, down))};
 }
 
 void add_flanks(Path& path, const LimbCurve& curve, const Flanks& flanks) {
@@ -208,7 +63,7 @@ void add_flanks(Path& path, const LimbCurve& curve, const Flanks& flanks) {
 }
 
 Path trunk_outline(const LimbCurve& curve) {
-    const Flanks flanks = fit_flanks(curve, 1, {0, 0}, {0, 0}, true);
+    const Flanks flanks = fit_flanks(curve, 1, {0, 0}, {0, 0});
     Path path;
     if (flanks.up.empty() || flanks.down.empty()) return path;
     path.move_to(flanks.up.front().p0);
@@ -231,7 +86,7 @@ Path child_outline(const LimbCurve& curve, const LimbCurve& parent, std::size_t 
     const auto crotch = look.fillet > 0 ? joint.fillet(-lower, true) : std::nullopt;
     const LimbPlace up = below ? below->place : LimbPlace{};
     const LimbPlace down = crotch ? crotch->place : LimbPlace{};
-    const Flanks flanks = fit_flanks(curve, lower, up, down, false);
+    const Flanks flanks = fit_flanks(curve, lower, up, down);
     Path path;
     if (flanks.up.empty() || flanks.down.empty()) return path;
     // On the parent's centre line, between the fillets: a child may run within its parent at first.
@@ -300,9 +155,7 @@ Path centre_line(const Limbs& limbs, const Limb& limb, const LookParams& look) {
             path.line_to(node.position);
         return path;
     }
-    const double half_width = limbs.nodes_of(limb)[0].half_width;
-    add_cubics(path,
-               fit_cubics(flank_samples(curve, 0, {0, 0}, false), flank_tolerance_mm(half_width)));
+    add_cubics(path, fit_flank(curve, 0, {0, 0}));
     return path;
 }
 

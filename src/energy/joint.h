@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+
+#include "energy/limb_curve.h"
+
+namespace edaha {
+
+// The curve that leads from a parent's flank to its child's.
+struct Fillet {
+    CurveSample parent;   // on the parent's flank, a hair inside; tangents run to the child
+    CurveSample child;    // on the child's flank
+    Vec2 corner;          // where the flanks cross
+    LimbPlace place;      // of `child` on the child
+    double along_mm = 0;  // of `parent`, from the joint along the parent
+};
+
+// Where a limb comes out of its parent. A child may run within its parent for a while, and on
+// either side; one that stays inside for two thirds of its length has no joint to show.
+class Joint {
+  public:
+    // The curves outlive the joint. `radius_mm`: how far fillets reach along either flank.
+    Joint(const LimbCurve& child, const LimbCurve& parent, std::size_t parent_node,
+          double radius_mm);
+
+    // Side of the parent (+1 right, -1 left) on which the child comes out.
+    int side() const { return side_; }
+
+    // `flank`: the child's side; `ahead`: on the parent's far side of the joint (the crotch).
+    std::optional<Fillet> fillet(int flank, bool ahead) const;
+
+  private:
+    struct Frame {  // of the parent at the joint
+        Vec2 centre, tangent;
+        double half_width;
+    };
+
+    Vec2 flank_point(int flank, double s) const;
+    double parent_distance(Vec2 point) const;
+    double beyond(Vec2 point, double side) const;
+    std::optional<double> way_out(int flank) const;
+
+    const LimbCurve& child_;
+    const LimbCurve& parent_;
+    std::size_t node_;
+    double radius_mm_;
+    Frame frame_;
+    double length_mm_ = 0;  // of the child
+    double limit_ = 0;      // how far along the child a joint is looked for
+    double stride_ = 0;
+    int side_ = 1;
+};
+
+}  // namespace edaha
