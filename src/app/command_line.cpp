@@ -143,8 +143,7 @@ std::string explain_extras(const CLI::App& app) {
         return extra.size() > 1 && extra.starts_with('-');
     });
     if (option == extras.end()) {
-        return fmt::format("{}: '{}' is one argument too many", command.get_name(),
-                           extras.empty() ? "" : extras.front());
+        return fmt::format("{}: '{}' is one argument too many", command.get_name(), extras.front());
     }
     const std::string name = option->substr(0, option->find('='));
     std::vector<std::string> known;
@@ -158,8 +157,10 @@ std::string explain_extras(const CLI::App& app) {
 
 std::string explain_error(const CLI::App& app, const CLI::ParseError& error) {
     const std::string message = error.what();
-    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return explain_extras(app);
+    // An unknown option may be the reason why something else is missing.
+    if (!app.remaining(true).empty()) return explain_extras(app);
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+        if (app.get_subcommands().empty()) return "a command is missing";
         const std::string name = message.substr(0, message.find(' '));
         return fmt::format("{}: {} is missing", chosen(app).get_name(), name);
     }

@@ -20,7 +20,7 @@ double determinant(const Affine& map) {
 
 class Overlap {
   public:
-    explicit Overlap(const Drawing& drawing) : drawing_(drawing) {
+    explicit Overlap(const Drawing& drawing) {
         for (const Symbol& symbol : drawing.symbols) {
             outlines_.push_back(outline(symbol));
             areas_.push_back(area_of_union(std::span(&outlines_.back(), 1), kTolerance_mm));
@@ -66,7 +66,6 @@ class Overlap {
         shapes_.push_back(shape.path);
     }
 
-    const Drawing& drawing_;
     std::vector<Path> outlines_;  // of the symbols
     std::vector<double> areas_;
     std::vector<Path> shapes_;

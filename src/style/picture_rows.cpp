@@ -60,7 +60,7 @@ std::vector<Parameter> look_rows() {
     rows.add(&P::root_height, {"root-height", {0, 20}, kOurs,
         "height of that flare, in widths of the trunk"});
     rows.add(&P::stroke_mm, {"stroke", mm(0.001, 50), kOurs,
-        "looks outline and line: stroke of a contour, least stroke of a limb"});
+        "look outline: stroke of the contour"});
     rows.add(&P::back, {"back", {0, 1}, kOurs, "part of the boughs that stand behind the trunk"});
     rows.add(&P::marks, {"marks", {0, 100}, kOurs, "bark marks on 10 mm of limb"});
     rows.add(&P::mark_min_width_mm, {"mark-min-width", mm(0, 1000), kOurs,

@@ -188,6 +188,9 @@ class SheetReader {
         const std::string value = attribute.value();
         const std::size_t offset = offset_of(tree, attribute);
         if (!is_first(tree, attribute, "tree." + name)) return;
+        if (first_byte_not_xml(value)) {  // from a reference such as &#1;
+            say(offset, fmt::format("tree.{}: {} is not XML text", name, in_quotes(value)));
+        }
         if (name == "name") {
             sheet_.name = value;
             if (!is_name(value)) say(offset, "tree.name: " + not_a_name(value));

@@ -33,6 +33,7 @@ const std::map<std::string, std::string> kMessages = {
     {"circle", "@circle-back.xml:1:16: tree.extends: 'circle.xml' extends this style itself"},
     {"circle-back", "@circle.xml:1:16: tree.extends: 'circle-back.xml' extends this style itself"},
     {"control", "@control.xml:1:23: byte 0x1B is not XML text in UTF-8"},
+    {"control-reference", "@control-reference.xml:1:16: tree.title: 'a?b' is not XML text"},
     {"doctype", "@doctype.xml:1:11: a document type has no place in a style"},
     {"element-inside", "@element-inside.xml:2:12: 'energy' has no place in 'growth'"},
     {"empty", "@empty.xml:1:1: there is no <tree> in this file"},

@@ -39,9 +39,9 @@ TEST(Value, WholeNumbers) {
 
 TEST(Value, DegreesAreStoredAsRadians) {
     Style style;
-    ASSERT_EQ(assign(style, *find_parameter("growth.lean"), "30"), std::nullopt);
-    EXPECT_DOUBLE_EQ(style.energy.growth.lean_rad, std::numbers::pi / 6);
-    EXPECT_EQ(after("growth.lean", "91"), "'91' is out of range (expected -90 … 90 degrees)");
+    ASSERT_EQ(assign(style, *find_parameter("leaf.fan"), "30"), std::nullopt);
+    EXPECT_DOUBLE_EQ(style.leaf.fan_rad, std::numbers::pi / 6);
+    EXPECT_EQ(after("leaf.fan", "181"), "'181' is out of range (expected 0 … 180 degrees)");
 }
 
 TEST(Value, RangesAndLists) {
