@@ -10,9 +10,9 @@ namespace edaha {
 
 // How many pixels: `width_px` if it is set (the height follows from the page), else `dpi`.
 struct PngParams {
-    std::optional<int> width_px;
+    std::optional<int> width_px = {};
     double dpi = 300;
-    std::optional<Colour> background;       // transparent without
+    std::optional<Colour> background = {};  // transparent without
     std::size_t most_pixels = 200'000'000;  // 4 bytes of memory each
 };
 
