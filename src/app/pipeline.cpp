@@ -70,7 +70,14 @@ class PictureMaker {
         LeafImport import = load_leaf_(dress.params.shape);
         std::vector<Problem>& warnings = picture_.warnings;
         warnings.insert(warnings.end(), import.warnings.begin(), import.warnings.end());
-        PlacementParams params{dress.params, dress.tones, dress.label, 0, false, dress.salt};
+        PlacementParams params;
+        params.ornament = dress.params;
+        params.tones = dress.tones;
+        params.label = dress.label;
+        params.salt = dress.salt;
+        params.clump_id = [&](std::int32_t limb) {
+            return limbs.id(limbs.limbs[static_cast<std::size_t>(limb)]);
+        };
         params.stroked = std::any_of(
             import.leaf.shapes.begin(), import.leaf.shapes.end(),
             [](const Shape& shape) { return shape.paint.stroke.kind == Ink::Kind::inherit; });

@@ -2,6 +2,7 @@
 #include "drawing/page.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <tbb/parallel_for.h>
 
@@ -120,8 +121,9 @@ Drawing on_page(Drawing drawing, const PageParams& page, const Palette& palette)
         layer.paint.stroke_width_mm *= scale;
         move(layer.children, map, scale);
     }
-    drawing.width_mm = box.width() * scale + 2 * margin;
-    drawing.height_mm = box.height() * scale + 2 * margin;
+    // Hundredths of a millimetre, so that sizes read well and are exact as text.
+    drawing.width_mm = std::ceil((box.width() * scale + 2 * margin) * 100 - 1e-6) / 100;
+    drawing.height_mm = std::ceil((box.height() * scale + 2 * margin) * 100 - 1e-6) / 100;
     if (page.background)
         drawing.layers.insert(drawing.layers.begin(), background(drawing, palette.paper));
     return drawing;

@@ -14,8 +14,7 @@ struct Site {
     Key key = 0;     // of the place, whatever the seed
     double wood_width_mm = 0;
     double along_mm = 0;     // distance from the tip, along the twig
-    std::int32_t bough = 0;  // index into the wood's boughs: what an illustrator would move as one
-    std::int32_t clump = 0;  // sites of one clump are shaded as one cloud of leaves
+    std::int32_t clump = 0;  // the limb whose twigs' leaves are shaded as one cloud
     bool terminal = false;   // the end of a twig
     bool back = false;       // on a bough behind the trunk
 };

@@ -14,6 +14,8 @@ namespace edaha {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+// More than any cell can hold (a float's largest), and any habit can weigh against.
+constexpr double kFull = 1e30;
 
 enum Purpose : std::uint32_t { kShare = 1, kSplit, kTurn, kSide, kBole, kLean };
 
@@ -114,7 +116,8 @@ class Growth {
         branch.order = bud.order;
         branch.child = bud.child;
         const Choice choice = choose(bud, parent, branch.key);
-        if (params_.space.drop > 0 && choice.density >= params_.space.drop) {  // 2.3.2
+        const double full = params_.space.drop > 0 ? params_.space.drop : kFull;
+        if (choice.density >= full) {  // 2.3.2
             tree_.dropped.push_back({bud.parent, bud.energy});
             return;
         }
@@ -127,7 +130,8 @@ class Growth {
     Choice choose(const Bud& bud, const Branch& parent, Key key) const {
         const double length = branch_length_mm(params_.growth, bud.energy);
         const double factor = 1 - params_.branch.balance * bud.share;
-        const Habit habit = habit_[std::min<std::size_t>(bud.order, habit_.size() - 1)];
+        Habit habit = habit_[std::min<std::size_t>(bud.order, habit_.size() - 1)];
+        if (params_.space.weep > 0) habit.heading_rad += weep(bud.energy, habit.heading_rad);
         Choice best{};
         double best_score = 0;
         for (int i = 0; i < params_.space.candidates; ++i) {
@@ -137,11 +141,24 @@ class Growth {
             Choice choice{parent.heading_rad + turn, {}, 0};
             const auto [sin, cos] = stable::sin_cos(choice.heading_rad);
             choice.end = parent.end + Vec2(sin, cos) * length;
-            choice.density = grid_.density(choice.end);
+            choice.density = density(choice.end);
             const double score = choice.density + habit.weight * off_habit(choice, habit);
             if (i == 0 || score < best_score) best = choice, best_score = score;
         }
         return best;
+    }
+
+    // How far a branch of this energy turns from its habit to straight down.
+    double weep(double energy, double heading_rad) const {
+        const double lightness = 1 - std::sqrt(energy / params_.growth.energy);
+        return params_.space.weep * lightness * lightness * (kPi - heading_rad);
+    }
+
+    // Below the clearance a place is as good as full.
+    double density(Vec2 place) const {
+        const double clearance = params_.space.clearance_mm;
+        if (clearance > 0 && place.y < clearance) return kFull;
+        return grid_.density(place);
     }
 
     // Squared difference between a heading, left or right alike, and the habit's.

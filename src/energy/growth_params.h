@@ -53,11 +53,15 @@ struct SpaceParams {
     int candidates = 1;  // k: 1 is the plain recursive tree
     double drop = 0;     // tau; 0: no branch dropping
     Deposit deposit = Deposit::ends;
-    bool drop_leaf = true;  // a fork that lost all its children bears a leaf [E]
+    bool drop_leaf = true;    // a fork that lost all its children bears a leaf [E]
+    double clearance_mm = 0;  // no branch ends lower above the ground; 0: even below it [E]
     // Habit: preferred heading by branch order (the last value holds for all above), away from
     // straight up to either side; its weight in a candidate's score, kappa [E].
     std::vector<double> habit_rad{0};
     double habit_weight = 0;
+    // Gravity: how far the habit of the last twigs is turned to straight down; heavy limbs keep
+    // theirs. The turn grows as (1 - sqrt(e / E))^2 [E].
+    double weep = 0;
 };
 
 // Which tree of its kind. vary = 0: all members of a family are equal; 1: independent [E].

@@ -17,9 +17,9 @@ struct LookParams {
     double min_width_mm = 0.2;  // no twig is drawn thinner
     double root_flare = 0.8;    // how far the trunk widens at the ground, part of its width
     double root_height = 1.5;   // height of that flare, in widths of the trunk
-    double stroke_mm = 0.4;  // looks outline and line: stroke of a contour, least stroke of a limb
-    double back = 0.3;       // part of the boughs that stand behind the trunk
-    double marks = 0;        // bark marks per 10 mm of limb (birch)
+    double stroke_mm = 0.25;    // look outline: stroke of the contour
+    double back = 0.3;          // part of the boughs that stand behind the trunk
+    double marks = 0;           // bark marks per 10 mm of limb (birch)
     double mark_min_width_mm = 3;  // limbs thinner than this bear none
     Ground ground = Ground::shadow;
     double ground_width = 0.6;  // of the crown's width

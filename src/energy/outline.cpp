@@ -146,17 +146,28 @@ Path outline(const Limbs& limbs, const Limb& limb, const LookParams& look) {
     return signed_area(path) < 0 ? reversed(path) : path;
 }
 
-Path centre_line(const Limbs& limbs, const Limb& limb, const LookParams& look) {
-    const LimbCurve curve = curve_of(limbs, limb, look);
-    Path path;
-    path.move_to(limbs.nodes_of(limb)[0].position);
-    if (look.straight) {
-        for (const LimbNode& node : limbs.nodes_of(limb).subspan(1))
-            path.line_to(node.position);
-        return path;
+std::vector<Stroke> centre_strokes(const Limbs& limbs, const Limb& limb, const LookParams& look) {
+    const auto nodes = limbs.nodes_of(limb);
+    std::vector<Stroke> strokes;
+    for (std::size_t first = 0; first + 1 < nodes.size();) {
+        std::size_t last = first + 1;
+        while (last + 1 < nodes.size() &&
+               nodes[last + 1].half_width > 0.8 * nodes[first].half_width)
+            ++last;
+        Stroke stroke;
+        stroke.width_mm = nodes[first].half_width + nodes[last].half_width;
+        stroke.path.move_to(nodes[first].position);
+        const auto part = nodes.subspan(first, last - first + 1);
+        if (look.straight) {
+            for (const LimbNode& node : part.subspan(1))
+                stroke.path.line_to(node.position);
+        } else {
+            add_cubics(stroke.path, fit_flank(LimbCurve(part), 0, {0, 0}));
+        }
+        if (stroke.path.verbs.size() > 1) strokes.push_back(std::move(stroke));
+        first = last;
     }
-    add_cubics(path, fit_flank(curve, 0, {0, 0}));
-    return path;
+    return strokes;
 }
 
 }  // namespace edaha

@@ -14,7 +14,6 @@ Site site_at(const LimbSection& section, const Limb& limb) {
     site.direction = section.tangent;
     site.key = limb.key;
     site.wood_width_mm = 2 * section.half_width;
-    site.bough = limb.bough;
     site.clump = limb.clump;
     site.back = limb.back;
     return site;

@@ -16,13 +16,11 @@ namespace {
 // Limbs whose base is below this part of the trunk's width are twigs.
 constexpr double kTwigShare = 0.16;
 
-std::vector<Path> all_paths(const Limbs& limbs, const LookParams& look) {
+std::vector<Path> all_outlines(const Limbs& limbs, const LookParams& look) {
     std::vector<Path> paths(limbs.limbs.size());
-    tbb::parallel_for(std::size_t{0}, paths.size(), [&](std::size_t i) {
-        const Limb& limb = limbs.limbs[i];
-        paths[i] =
-            look.wood == Look::line ? centre_line(limbs, limb, look) : outline(limbs, limb, look);
-    });
+    if (look.wood == Look::line) return paths;
+    tbb::parallel_for(std::size_t{0}, paths.size(),
+                      [&](std::size_t i) { paths[i] = outline(limbs, limbs.limbs[i], look); });
     return paths;
 }
 
@@ -52,7 +50,7 @@ std::vector<std::size_t> paint_order(const Limbs& limbs) {
 class Painter {
   public:
     Painter(const Limbs& limbs, const LookParams& look, const Palette& palette)
-        : limbs_(limbs), look_(look), palette_(palette), paths_(all_paths(limbs, look)) {}
+        : limbs_(limbs), look_(look), palette_(palette), paths_(all_outlines(limbs, look)) {}
 
     Wood paint() {
         Wood wood;
@@ -67,7 +65,7 @@ class Painter {
         Layer front{"Wood", paint_of(palette_.wood), {}};
         for (const std::size_t i : paint_order(limbs_)) {
             const Limb& limb = limbs_.limbs[i];
-            if (!paths_[i].empty()) add(limb.back ? behind : front, limb, std::move(paths_[i]));
+            add(limb.back ? behind : front, limb, std::move(paths_[i]));
         }
         if (!behind.children.empty()) wood.behind.push_back(std::move(behind));
         wood.front.push_back(std::move(front));
@@ -96,18 +94,25 @@ class Painter {
     void add(Layer& layer, const Limb& limb, Path path) {
         const std::string id = limbs_.id(limb);
         Group& bough = group_of(layer, limb);
-        Shape shape{id, std::move(path), {}};
-        const double width = base_width(limbs_, limb);
+        const bool twig = is_twig(limbs_, limb) && !limb.back;
+        std::vector<Element>& home = twig ? twigs_of(bough).children : bough.children;
         if (look_.wood == Look::line) {
-            // One width a stroke: that of the limb a third of the way up its taper.
-            shape.paint.stroke_width_mm = std::max(0.7 * width, look_.min_width_mm);
+            add_strokes(home, limb, id);
+        } else if (!path.empty()) {
+            home.emplace_back(Shape{id, std::move(path), {}});
+            if (!twig && !limb.back) add_bark(bough, limb, id);
         }
-        if (is_twig(limbs_, limb) && !limb.back) {
-            twigs_of(bough).children.emplace_back(std::move(shape));
-            return;
+    }
+
+    void add_strokes(std::vector<Element>& home, const Limb& limb, const std::string& id) {
+        int number = 0;
+        for (Stroke& stroke : centre_strokes(limbs_, limb, look_)) {
+            Shape shape{
+                number == 0 ? id : id + '.' + std::to_string(number), std::move(stroke.path), {}};
+            shape.paint.stroke_width_mm = stroke.width_mm;
+            home.emplace_back(std::move(shape));
+            ++number;
         }
-        bough.children.emplace_back(std::move(shape));
-        if (look_.wood == Look::solid && !limb.back) add_bark(bough, limb, id);
     }
 
     void add_bark(Group& bough, const Limb& limb, const std::string& id) {

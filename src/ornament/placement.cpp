@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -47,7 +48,7 @@ struct Cloud {
 
 struct Placed {
     Affine page_from_symbol;
-    std::int32_t bough;
+    std::int32_t clump;
     Tone tone;
 };
 
@@ -123,7 +124,7 @@ class Placer {
         const bool behind = site.back || uniform(site.key, kBehind, i) < ornament_.behind;
         const Vec2 middle = transform(map, Vec2(0, -kSymbolLength / 2));
         const Tone tone = tone_of(site, middle, i);
-        (behind ? behind_ : front_).push_back({map, site.bough, behind ? kMid : tone});
+        (behind ? behind_ : front_).push_back({map, site.clump, behind ? kMid : tone});
         all_.push_back(map);
     }
 
@@ -142,30 +143,35 @@ class Placer {
         return light < -0.28 ? kShade : kMid;
     }
 
-    // Tones bottom first; a bough's in one group. The middle tone is the layer's own paint.
+    // Clump by clump, the high ones first: the lit top of each lies over the shade of the one
+    // above it, as clouds do. The middle tone is the layer's own paint.
     Layer layer(std::vector<Placed>& placed, const std::string& label) const {
-        Layer result{label, {}, {}};
-        result.paint = paint_of(params_.tones.mid);
-        std::stable_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
-            return a.tone != b.tone ? a.tone < b.tone : a.bough < b.bough;
-        });
-        const std::string prefix = result.id();
-        std::int32_t bough = -1;
-        for (const Placed& one : placed) {
-            const std::string tone_id = prefix + '.' + kToneNames[one.tone];
-            if (result.children.empty() || std::get<Group>(result.children.back()).id != tone_id) {
-                result.children.emplace_back(Group{tone_id, tone_paint(one.tone), {}});
-                bough = -1;
-            }
-            Group& tone = std::get<Group>(result.children.back());
-            if (bough != one.bough) {
-                bough = one.bough;
-                tone.children.emplace_back(Group{tone_id + '.' + std::to_string(bough), {}, {}});
-            }
-            std::get<Group>(tone.children.back())
-                .children.emplace_back(Use{params_.symbol, one.page_from_symbol, {}});
+        const auto rank = [&](const Placed& one) {
+            const Bounds& box = clumps_[static_cast<std::size_t>(one.clump)].box;
+            return std::tuple(box.centre().y, one.clump, one.tone);
+        };
+        std::stable_sort(placed.begin(), placed.end(),
+                         [&](const Placed& a, const Placed& b) { return rank(a) < rank(b); });
+        Layer result{label, paint_of(params_.tones.mid), {}};
+        const std::string prefix = result.id() + '.';
+        for (std::size_t i = 0; i < placed.size();) {
+            const std::string id = prefix + params_.clump_id(placed[i].clump);
+            Group clump{id, {}, {}};
+            const std::int32_t here = placed[i].clump;
+            for (; i < placed.size() && placed[i].clump == here; ++i)
+                add(clump, placed[i]);
+            result.children.emplace_back(std::move(clump));
         }
         return result;
+    }
+
+    void add(Group& clump, const Placed& one) const {
+        const std::string id = clump.id + '.' + kToneNames[one.tone];
+        if (clump.children.empty() || std::get<Group>(clump.children.back()).id != id) {
+            clump.children.emplace_back(Group{id, tone_paint(one.tone), {}});
+        }
+        std::get<Group>(clump.children.back())
+            .children.emplace_back(Use{params_.symbol, one.page_from_symbol, {}});
     }
 
     Paint tone_paint(Tone tone) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <functional>
 #include <span>
 #include <string>
 
@@ -19,15 +20,15 @@ struct Tones {
 struct PlacementParams {
     OrnamentParams ornament;
     Tones tones;
+    std::function<std::string(std::int32_t)> clump_id;  // of Site::clump
     std::string label;         // of the layer in front: "Leaves"; the one behind: "Leaves behind"
     std::uint32_t symbol = 0;  // index into Drawing::symbols; drawn growing to -y, 10 units long
     bool stroked = false;      // the symbol has strokes that take the tone's colour, too
     std::uint32_t salt = 0;    // leaves and blossom draw different numbers at one site
 };
 
-// Ornaments by layer; the layer's paint is the middle tone, groups within it have the others, and
-// within a tone stand groups by bough. Painted shade, middle, light, so that the lit leaves lie on
-// top.
+// Ornaments by layer. The layer's paint is the middle tone; it holds a group a clump, and that one
+// a group a tone: shade, middle, light, so that the lit leaves lie on top.
 struct Placement {
     Layer behind, front;
     std::vector<Affine> all;  // page_from_symbol of each

@@ -79,10 +79,14 @@ std::vector<Parameter> space_rows() {
     rows.add(&P::deposit, {"deposit", {"ends", "segment"}, "paper 2.3; segment: Edaha",
         "where a branch leaves density: at its end, or along all of it"});
     rows.add(&P::drop_leaf, {"drop-leaf", kOurs, "a fork that lost all its children bears a leaf"});
+    rows.add(&P::clearance_mm, {"clearance", mm(0, 1000), kOurs,
+        "no branch ends lower above the ground; 0: not even above it"});
     rows.add(&P::habit_rad, {"habit", degrees(0, 180), kOurs,
         "preferred heading by branch order, from straight up to either side"});
     rows.add(&P::habit_weight, {"habit-weight", {0, 1e4}, kOurs,
         "weight of the habit in the choice of a heading"});
+    rows.add(&P::weep, {"weep", {0, 1}, kOurs,
+        "how far the habit of the thinnest twigs is turned to straight down"});
     // clang-format on
     return rows.take();
 }

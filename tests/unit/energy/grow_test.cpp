@@ -235,6 +235,41 @@ TEST(Grow, HabitTurnsTheTwigsItsWay) {
     EXPECT_GT(mean_heading(radians(180)), radians(140));
 }
 
+TEST(Grow, NothingEndsBelowTheClearance) {
+    EnergyParams params = params_of(TreeType::a, 300);
+    params.space.candidates = 4;
+    params.space.habit_rad = {radians(170)};
+    params.space.habit_weight = 20;
+    const auto lowest = [&] {
+        double low = 1e9;
+        for (const Branch& branch : grow(params).branches)
+            low = std::min(low, branch.end.y);
+        return low;
+    };
+    EXPECT_LT(lowest(), 0);
+    params.space.clearance_mm = 5;
+    EXPECT_GE(lowest(), 5);
+}
+
+TEST(Grow, WeepingTurnsTwigsDownAndLeavesTheTrunk) {
+    const auto headings = [](double weep) {
+        EnergyParams params = params_of(TreeType::a, 300);
+        params.space.candidates = 8;
+        params.space.habit_weight = 20;
+        params.space.weep = weep;
+        double twigs = 0, heavy = 0;
+        int twig_count = 0, heavy_count = 0;
+        for (const Branch& branch : grow(params).branches) {
+            const double away = std::abs(std::remainder(branch.heading_rad, 2 * std::numbers::pi));
+            if (branch.terminal) twigs += away, ++twig_count;
+            if (branch.energy > 150) heavy += away, ++heavy_count;
+        }
+        return std::pair(twigs / twig_count, heavy / heavy_count);
+    };
+    EXPECT_GT(headings(1).first, headings(0).first + radians(60));
+    EXPECT_LT(headings(1).second, radians(45));
+}
+
 TEST(Grow, OppositeChildrenTurnToEitherSideAndLateralsAlternate) {
     EnergyParams params = params_of(TreeType::a, 300);
     params.branch.opposite = true;
