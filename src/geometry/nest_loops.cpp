@@ -8,26 +8,6 @@
 namespace edaha {
 namespace {
 
-// Connected components of nodes, by union-find with halved paths.
-class Components {
-  public:
-    explicit Components(const PlanarMap& map) : parent_(map.nodes.size()) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-        for (const Edge& edge : map.edges) {
-            const std::uint32_t a = of(edge.from), b = of(edge.to);
-            parent_[std::max(a, b)] = std::min(a, b);
-        }
-    }
-    std::uint32_t of(std::uint32_t node) {
-        while (parent_[node] != node)
-            node = parent_[node] = parent_[parent_[node]];
-        return node;
-    }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
-
 // Edges by the cells that they are near.
 struct EdgeCells {
     CellGrid grid;
@@ -69,11 +49,11 @@ bool is_above(const GridSegment& s, const GridSegment& t, std::int32_t x) {
     return height != other ? height > other : cross(e, d) > 0;
 }
 
-// Looks down from a component's smallest node along the line just right of it.
+// Looks down from a component's smallest node along the line just right of it. The component's
+// own edges are not in the way: none lies left of that node or straight below it.
 class Lookout {
   public:
-    explicit Lookout(const PlanarMap& map)
-        : map_(map), components_(map), cells_(sort_edges_into_cells(map)) {}
+    explicit Lookout(const PlanarMap& map) : map_(map), cells_(sort_edges_into_cells(map)) {}
 
     std::uint32_t loop_below(std::uint32_t node) {
         const GridPoint eye = map_.nodes[node];
@@ -84,7 +64,7 @@ class Lookout {
             const std::size_t cell = grid.cell(column, row);
             const std::int64_t floor = grid.origin.y + row * grid.size;
             for (std::uint32_t i = cells_.first[cell]; i < cells_.first[cell + 1]; ++i) {
-                consider(cells_.edges[i], node, floor, nearest);
+                consider(cells_.edges[i], eye, floor, nearest);
             }
         }
         // Edges run from smaller to larger nodes: left to right, with the space above to the left.
@@ -94,14 +74,11 @@ class Lookout {
   private:
     // An edge that leaves the cell below its floor is left for the cells below: one of theirs may
     // be nearer there.
-    void consider(std::uint32_t edge, std::uint32_t node, std::int64_t floor,
-                  std::uint32_t& nearest) {
+    void consider(std::uint32_t edge, GridPoint eye, std::int64_t floor, std::uint32_t& nearest) {
         const GridSegment s = segment(edge);
-        const GridPoint eye = map_.nodes[node];
         if (s.a.x > eye.x || s.b.x <= eye.x || orientation(s.a, s.b, eye) <= 0) return;
         const GridPoint ground{eye.x, static_cast<std::int32_t>(floor)};
         if (orientation(s.a, s.b, ground) > 0) return;
-        if (components_.of(map_.edges[edge].from) == components_.of(node)) return;
         if (nearest == kNone || is_above(s, segment(nearest), eye.x)) nearest = edge;
     }
 
@@ -110,7 +87,6 @@ class Lookout {
     }
 
     const PlanarMap& map_;
-    Components components_;
     EdgeCells cells_;
 };
 

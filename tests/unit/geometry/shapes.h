@@ -3,8 +3,10 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <vector>
 
 #include "geometry/path.h"
+#include "geometry/walk_path.h"
 
 namespace edaha::shapes {
 
@@ -48,6 +50,29 @@ inline Path circle(Vec2 centre, double radius, int arcs = 4) {
 inline void append(Path& path, const Path& more) {
     path.verbs.insert(path.verbs.end(), more.verbs.begin(), more.verbs.end());
     path.points.insert(path.points.end(), more.points.begin(), more.points.end());
+}
+
+// No two straight segments of the path cross properly: exact for corners on a binary grid.
+inline bool lines_dont_cross(const Path& path) {
+    const auto side = [](Vec2 a, Vec2 b, Vec2 c) {
+        const double d = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        return (d > 0) - (d < 0);
+    };
+    std::vector<Cubic> lines;
+    walk_path(path, [&](const PathSegment& segment) {
+        if (segment.verb == Verb::line || segment.verb == Verb::close) {
+            lines.push_back(segment.curve);
+        }
+    });
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const Vec2 a = lines[i].p0, b = lines[i].p3, c = lines[j].p0, d = lines[j].p3;
+            if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) {
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 // Repeatable numbers in [0, 1): a linear congruential generator, enough for test scenes.

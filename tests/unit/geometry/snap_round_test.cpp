@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/snap_round.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -31,6 +32,14 @@ TEST(SnapRound, CrossingsRoundHalvesUpwards) {
     EXPECT_EQ(snap_round(Segments{{{0, 0}, {1, 1}}, {{0, 1}, {1, 0}}}).nodes.size(), 4u);
     const Arrangement low = snap_round(Segments{{{-2, -2}, {1, 1}}, {{-3, 2}, {2, -3}}});
     EXPECT_NE(std::find(low.nodes.begin(), low.nodes.end(), GridPoint{0, 0}), low.nodes.end());
+}
+
+TEST(SnapRound, CrossingsJustBesideAHalfAreDecidedExactly) {
+    const int n = 1000000;  // they cross at x = -1 - n / (2 n + 1), a hair right of -3/2
+    const Arrangement result = snap_round(Segments{{{0, 0}, {-10, 0}}, {{-1, -n}, {-2, n + 1}}});
+    ASSERT_EQ(result.nodes.size(), 5u);
+    EXPECT_NE(std::find(result.nodes.begin(), result.nodes.end(), GridPoint{-1, 0}),
+              result.nodes.end());
 }
 
 TEST(SnapRound, FarCrossingsAreExact) {

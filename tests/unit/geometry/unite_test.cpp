@@ -200,6 +200,47 @@ TEST(Unite, ShapesWithoutInsideGiveNothing) {
     EXPECT_TRUE(united({shapes::polygon({{3, 3}, {3, 3}, {3, 3}})}).empty());
 }
 
+TEST(Unite, CoincidentCurvesGiveTheSameBytesInAnyOrder) {
+    const Path whole = circle({7, 7}, 3), lid = box(6, 7.3, 12, 12);
+    std::vector<Path> paths{whole, reversed(whole), circle({7, 7}, 3, 8), lid};
+    const Path result = unite(paths);
+    for (int i = 0; i < 4; ++i) {
+        std::rotate(paths.begin(), paths.begin() + 1, paths.end());
+        EXPECT_TRUE(same(unite(paths), result));
+        EXPECT_TRUE(same(unite(std::vector<Path>(paths.rbegin(), paths.rend())), result));
+    }
+}
+
+TEST(Unite, CrossingsBesideAJointLeaveNoSpeck) {
+    // The circle's joint is at (15, 10); the box crosses it a micrometre further on.
+    const Path result = united({circle({10, 10}, 5), box(12, 10.001, 20, 20)});
+    expect_sound(result);
+    walk_path(result, [](const PathSegment& segment) {
+        EXPECT_TRUE(segment.verb != Verb::cubic || arc_length(segment.curve) > 0.002);
+    });
+}
+
+TEST(Unite, StraightenedBordersDontCross) {
+    // Two rings touch in a pixel that a line of one only passes: bent into its centre it touches
+    // the other, drawn straight again it would cross it.
+    const Path result = united({shapes::polygon({{9, 13}, {17, 9}, {2, 19}}),
+                                shapes::polygon({{17, 11}, {19, 3}, {14, 18}, {2, 12}, {2, 7}})});
+    expect_sound(result);
+    EXPECT_TRUE(shapes::lines_dont_cross(result));
+}
+
+TEST(Unite, OutlinesThatWeaveAreFollowedOneAtATime) {
+    // The same circle cut in different places: its chords cross each other hundreds of times.
+    for (const int arcs : {6, 7, 9, 11}) {
+        for (const double off : {0.0, 1e-3}) {
+            const Path result = united({circle({5, 5}, 5, 8), circle({5 + off, 5}, 5, arcs)});
+            expect_sound(result);
+            EXPECT_LE(count(result, Verb::cubic), 20u);
+            EXPECT_NEAR(signed_area(result), 25 * kPi, 25 * kPi * 1e-3);
+        }
+    }
+}
+
 TEST(Unite, HugeCoordinatesCoarsenTheGrid) {
     const Path result = united({box(0, 0, 3e6, 3e6), box(1e6, 1e6, 4e6, 4e6)});
     EXPECT_NEAR(signed_area(result), 14e12, 1e8);
