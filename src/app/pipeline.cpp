@@ -96,8 +96,17 @@ class PictureMaker {
             return symbol.id == leaf.name;
         });
         if (known != symbols.end()) return static_cast<std::uint32_t>(known - symbols.begin());
+        if (style_.palette.strict) restrict_colours(leaf.shapes);
         symbols.push_back({leaf.name, std::move(leaf.shapes)});
         return static_cast<std::uint32_t>(symbols.size() - 1);
+    }
+
+    void restrict_colours(std::vector<Shape>& shapes) const {
+        for (Shape& shape : shapes) {
+            for (Ink* ink : {&shape.paint.fill, &shape.paint.stroke}) {
+                if (ink->kind == Ink::Kind::colour) *ink = nearest(style_.palette, ink->colour);
+            }
+        }
     }
 
     static Stand stand(const Limbs& limbs, const Wood& wood) {

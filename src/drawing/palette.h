@@ -26,6 +26,16 @@ struct Palette {
     Colour fruit_back{0xc9, 0x7a, 0x70};
     Colour ground{0xd9, 0xd4, 0xb8};
     Colour ground_shade{0xc3, 0xbd, 0x9d};
+    // Leaf drawings keep no colours of their own, but take the nearest of these: for prints in few
+    // inks. Black and white, which shade and light a leaf, become the darkest of the wood and the
+    // paper.
+    bool strict = false;
 };
+
+// Between two colours, `part` of the way from the first, channel by channel.
+Colour mixed(Colour from, Colour to, double part);
+
+// The palette's colour that is nearest to one, by distance in RGB.
+Colour nearest(const Palette& palette, Colour colour);
 
 }  // namespace edaha

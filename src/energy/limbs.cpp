@@ -17,6 +17,10 @@ enum Purpose : std::uint32_t { kBack = 100, kGnarl, kMember };
 // has some ten of them, as illustrators draw it. Less gives crumbs, more a single ball.
 constexpr double kClumpShare = 0.04;
 
+// A bough with more of the tree's energy than this never stands behind: it would be a pale hole in
+// the crown.
+constexpr double kHeavyBough = 0.22;
+
 Vec2 page_from_tree(Vec2 p) {
     return {p.x, -p.y};
 }
@@ -86,7 +90,7 @@ class LimbMaker {
             limb.parent_node = end_node_[static_cast<std::size_t>(first.parent)];
             limb.fork = fork_number_[static_cast<std::size_t>(first.parent)];
             limb.bough = is_bough ? static_cast<std::int32_t>(out_.limbs.size()) : from.bough;
-            limb.back = is_bough ? random_.uniform(first.key, kBack) < look_.back : from.back;
+            limb.back = is_bough ? stands_behind(first) : from.back;
         }
         const bool bears_clump =
             limb.order < 2 || first.energy >= kClumpShare * energy_.growth.energy;
@@ -103,6 +107,11 @@ class LimbMaker {
             set_spline_velocities(nodes, start_velocity(nodes, limb));
         }
         out_.limbs.push_back(limb);
+    }
+
+    bool stands_behind(const Branch& bough) const {
+        return bough.energy < kHeavyBough * energy_.growth.energy &&
+               random_.uniform(bough.key, kBack) < look_.back;
     }
 
     // Says whether the last branch bears a leaf.
@@ -192,7 +201,8 @@ class LimbMaker {
     // Between the parent's heading and the way to the first fork.
     Vec2 start_velocity(std::span<const LimbNode> nodes, const Limb& limb) const {
         const Vec2 own = glm::normalize(nodes[1].position - nodes[0].position);
-        if (limb.parent < 0) return own;
+        // A trunk rises straight from the ground before it leans.
+        if (limb.parent < 0) return glm::normalize(own * 0.15 + Vec2(0, -0.85));
         const Vec2 parent = glm::normalize(out_.nodes[limb.parent_node].velocity);
         const Vec2 between = parent * look_.sweep + own * (1 - look_.sweep);
         const double length = glm::length(between);

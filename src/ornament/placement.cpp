@@ -69,9 +69,12 @@ class Placer {
 
     Placement result() {
         Placement placement;
-        placement.front = layer(front_, params_.label);
-        placement.behind = layer(behind_, params_.label + " behind");
-        placement.behind.paint = paint_of(params_.tones.back);
+        const Tones& tones = params_.tones;
+        placement.front = layer(front_, params_.label, {tones.shade, tones.mid, tones.light});
+        // Behind, the three tones draw near to one.
+        placement.behind = layer(
+            behind_, params_.label + " behind",
+            {mixed(tones.back, tones.shade, 0.4), tones.back, mixed(tones.back, tones.light, 0.4)});
         placement.all = std::move(all_);
         return placement;
     }
@@ -124,7 +127,7 @@ class Placer {
         const bool behind = site.back || uniform(site.key, kBehind, i) < ornament_.behind;
         const Vec2 middle = transform(map, Vec2(0, -kSymbolLength / 2));
         const Tone tone = tone_of(site, middle, i);
-        (behind ? behind_ : front_).push_back({map, site.clump, behind ? kMid : tone});
+        (behind ? behind_ : front_).push_back({map, site.clump, tone});
         all_.push_back(map);
     }
 
@@ -145,38 +148,35 @@ class Placer {
 
     // Clump by clump, the high ones first: the lit top of each lies over the shade of the one
     // above it, as clouds do. The middle tone is the layer's own paint.
-    Layer layer(std::vector<Placed>& placed, const std::string& label) const {
+    Layer layer(std::vector<Placed>& placed, const std::string& label,
+                const std::array<Colour, kTones>& colours) const {
         const auto rank = [&](const Placed& one) {
             const Bounds& box = clumps_[static_cast<std::size_t>(one.clump)].box;
             return std::tuple(box.centre().y, one.clump, one.tone);
         };
         std::stable_sort(placed.begin(), placed.end(),
                          [&](const Placed& a, const Placed& b) { return rank(a) < rank(b); });
-        Layer result{label, paint_of(params_.tones.mid), {}};
+        Layer result{label, paint_of(colours[kMid]), {}};
         const std::string prefix = result.id() + '.';
         for (std::size_t i = 0; i < placed.size();) {
             const std::string id = prefix + params_.clump_id(placed[i].clump);
             Group clump{id, {}, {}};
             const std::int32_t here = placed[i].clump;
             for (; i < placed.size() && placed[i].clump == here; ++i)
-                add(clump, placed[i]);
+                add(clump, placed[i], colours);
             result.children.emplace_back(std::move(clump));
         }
         return result;
     }
 
-    void add(Group& clump, const Placed& one) const {
+    void add(Group& clump, const Placed& one, const std::array<Colour, kTones>& colours) const {
         const std::string id = clump.id + '.' + kToneNames[one.tone];
         if (clump.children.empty() || std::get<Group>(clump.children.back()).id != id) {
-            clump.children.emplace_back(Group{id, tone_paint(one.tone), {}});
+            clump.children.emplace_back(
+                Group{id, one.tone == kMid ? Paint{} : paint_of(colours[one.tone]), {}});
         }
         std::get<Group>(clump.children.back())
             .children.emplace_back(Use{params_.symbol, one.page_from_symbol, {}});
-    }
-
-    Paint tone_paint(Tone tone) const {
-        if (tone == kMid) return {};
-        return paint_of(tone == kLight ? params_.tones.light : params_.tones.shade);
     }
 
     Paint paint_of(Colour colour) const {

@@ -6,6 +6,7 @@
 
 #include "base/keyed_random.h"
 #include "drawing/drawing.h"
+#include "drawing/palette.h"
 #include "drawing/site.h"
 #include "geometry/bounds.h"
 #include "ornament/ornament_params.h"

@@ -113,6 +113,8 @@ std::vector<Parameter> palette_rows() {
     rows.add(&P::fruit_back, {"fruit-back", kOurs, "fruit behind the wood"});
     rows.add(&P::ground, {"ground", kOurs, "the ground"});
     rows.add(&P::ground_shade, {"ground-shade", kOurs, "the ground in the tree's shade"});
+    rows.add(&P::strict, {"strict", kOurs,
+        "leaf drawings take the nearest palette colours for their own: for few inks"});
     // clang-format on
     return rows.take();
 }
