@@ -28,17 +28,18 @@ std::string postscript_text(std::string_view text) {
     return result + ')';
 }
 
-// The head that Adobe's "Document Structuring Conventions" 3.0 ask for. Cairo's own has the date
-// and the box of the ink.
+// The head that Adobe's "Document Structuring Conventions" 3.0 ask for. Cairo's own has the date and
+// the box of the ink. Cairo hangs the page from a whole number of points.
 std::string head(const Drawing& drawing) {
     const double width = drawing.width_mm * kPointsPerMm;
     const double height = drawing.height_mm * kPointsPerMm;
+    const double top = std::ceil(height);
     std::string text = "%!PS-Adobe-3.0 EPSF-3.0\n";
     text += fmt::format("%%Title: {}\n", postscript_text(drawing.metadata.title));
     text += fmt::format("%%Creator: {}\n", postscript_text("edaha " + drawing.metadata.version));
-    text += fmt::format("%%BoundingBox: 0 0 {:.0f} {:.0f}\n", std::ceil(width), std::ceil(height));
-    text +=
-        "%%HiResBoundingBox: 0 0 " + number_text(width, 4) + ' ' + number_text(height, 4) + '\n';
+    text += fmt::format("%%BoundingBox: 0 0 {:.0f} {:.0f}\n", std::ceil(width), top);
+    text += "%%HiResBoundingBox: 0 " + number_text(top - height, 4) + ' ' + number_text(width, 4) +
+            ' ' + number_text(top, 4) + '\n';
     return text + "%%Pages: 1\n%%DocumentData: Clean7Bit\n%%LanguageLevel: 2\n%%EndComments\n";
 }
 

@@ -64,8 +64,9 @@ void Assembly::add_layer(const PdfLayer& layer) {
 }
 
 void Assembly::add_page() {
-    const std::string size =
-        number_text(document_.width_pt, 4) + ' ' + number_text(document_.height_pt, 4);
+    // Rounded down: readers count a pixel more for the least bit above a whole number of them.
+    const auto side = [](double points) { return number_text(points - 0.5e-4, 4); };
+    const std::string size = side(document_.width_pt) + ' ' + side(document_.height_pt);
     Object page = Object::parse("<< /Type /Page /MediaBox [0 0 " + size +
                                 "] /Resources << >> /Group << /Type /Group /S /Transparency "
                                 "/I true /CS /DeviceRGB >> >>");

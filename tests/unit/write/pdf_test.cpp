@@ -25,7 +25,7 @@ TEST(Pdf, SaysWhatItIs) {
          {"Title:           Sample <tree> & \"co\"\n", "Subject:         One of everything\n",
           "Keywords:        edaha draw sample --set 'title=<枝>'\n",
           "Creator:         edaha 0.1.0\n", "CreationDate:    2000-01-01T00:00:00Z\n",
-          "Pages:           1\n", "Page size:       340.158 x 283.465 pts\n",
+          "Pages:           1\n", "Page size:       340.157 x 283.464 pts\n",
           "PDF version:     1.5\n"}) {
         EXPECT_NE(result.out.find(line), std::string::npos) << line << result.out;
     }

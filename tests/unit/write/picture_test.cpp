@@ -81,7 +81,7 @@ TEST(Eps, BoxIsThePageAndThereIsNoDate) {
                          "?)\n"
                          "%%Creator: (edaha 0.1.0)\n"
                          "%%BoundingBox: 0 0 341 284\n"
-                         "%%HiResBoundingBox: 0 0 340.1575 283.4646\n"),
+                         "%%HiResBoundingBox: 0 .5354 340.1575 284\n"),
               0u)
         << bytes.substr(0, 300);
     EXPECT_EQ(bytes.find("Date"), std::string::npos);
