@@ -28,8 +28,8 @@ std::string postscript_text(std::string_view text) {
     return result + ')';
 }
 
-// The head that Adobe's "Document Structuring Conventions" 3.0 ask for. Cairo's own has the date and
-// the box of the ink. Cairo hangs the page from a whole number of points.
+// The head that Adobe's "Document Structuring Conventions" 3.0 ask for. Cairo's own has the date
+// and the box of the ink. Cairo hangs the page from a whole number of points.
 std::string head(const Drawing& drawing) {
     const double width = drawing.width_mm * kPointsPerMm;
     const double height = drawing.height_mm * kPointsPerMm;
