@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "readers/pictures.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+#include "app/tree_style.h"
+#include "style/style_xml.h"
+
+namespace edaha::test {
+
+std::vector<std::string> built_in_styles() {
+    return Catalogue().style_names();
+}
+
+std::string style_test_name(const testing::TestParamInfo<std::string>& info) {
+    std::string name = info.param;
+    std::ranges::replace_if(
+        name, [](char c) { return c == '/' || c == '-'; }, '_');
+    return name;
+}
+
+std::vector<std::uint64_t> seeds() {
+    const char* const count = std::getenv("EDAHA_SEEDS");
+    std::vector<std::uint64_t> all(count == nullptr ? 20 : std::stoul(count));
+    std::iota(all.begin(), all.end(), 1);
+    return all;
+}
+
+Picture draw_tree(const std::string& style_name, std::uint64_t seed) {
+    const Catalogue catalogue;
+    Style style = read_style(catalogue.find_style(style_name), catalogue);
+    style.energy.variant.seed = seed;
+    return draw_picture(style, leaf_loader(catalogue));
+}
+
+std::string in_format(const Drawing& drawing, Format format) {
+    std::string bytes;
+    write_drawing(drawing, format, {}, [&](std::string_view piece) { bytes += piece; });
+    return bytes;
+}
+
+}  // namespace edaha::test

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/pipeline.h"
+#include "write/format.h"
+
+namespace edaha::test {
+
+// A test for each built-in style: the parameter is its name.
+class EveryStyle : public testing::TestWithParam<std::string> {};
+
+std::vector<std::string> built_in_styles();
+
+// "paper/energy-a-100-plain" as gtest takes it: paper_energy_a_100_plain.
+std::string style_test_name(const testing::TestParamInfo<std::string>& info);
+
+// 1 to 20, or to $EDAHA_SEEDS.
+std::vector<std::uint64_t> seeds();
+
+// A built-in style's picture, and any picture in a format.
+Picture draw_tree(const std::string& style, std::uint64_t seed);
+std::string in_format(const Drawing& drawing, Format format);
+
+}  // namespace edaha::test
