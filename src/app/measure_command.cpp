@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <ostream>
+#include <vector>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -22,6 +25,16 @@ double rounded(double value) {
     return std::round(value * 1000) / 1000;
 }
 
+// How many limbs a limb bears, the geometric mean over the orders up to the one with most limbs
+// (after Horton's law of stream numbers).
+double bifurcation_ratio(const std::vector<std::size_t>& limbs_by_order) {
+    const auto most = std::max_element(limbs_by_order.begin(), limbs_by_order.end());
+    const auto steps = most - limbs_by_order.begin();
+    if (steps == 0) return 0;
+    return std::pow(static_cast<double>(*most) / static_cast<double>(limbs_by_order.front()),
+                    1.0 / static_cast<double>(steps));
+}
+
 Json measurements(const Style& style, const Catalogue& catalogue) {
     const LeafLoader load_leaf = leaf_loader(catalogue);
     const Picture picture = draw_picture(style, load_leaf);
@@ -37,7 +50,9 @@ Json measurements(const Style& style, const Catalogue& catalogue) {
     json["branches"] = picture.counts.branches;
     json["dropped"] = picture.counts.dropped;
     json["limbs"] = picture.counts.limbs;
-    json["highest_order"] = picture.counts.highest_order;
+    json["limbs_by_order"] = picture.counts.limbs_by_order;
+    json["bifurcation_ratio"] = rounded(bifurcation_ratio(picture.counts.limbs_by_order));
+    json["mean_turn_deg"] = rounded(picture.counts.mean_turn_rad * 180 / std::numbers::pi);
     json["leaves"] = picture.counts.ornaments;
     json["layers"] = counts.layers;
     json["shapes"] = counts.shapes;
@@ -58,7 +73,7 @@ int measure(const Options& options, Console& console) {
         return 0;
     }
     for (const auto& [key, value] : json.items()) {
-        console.out << fmt::format("{:<14} {}\n", key,
+        console.out << fmt::format("{:<17} {}\n", key,
                                    value.is_string() ? value.get<std::string>() : value.dump());
     }
     return 0;

@@ -2,6 +2,7 @@
 #include "app/pipeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -124,8 +125,18 @@ class PictureMaker {
         counts.dropped = skeleton.dropped.size();
         counts.limbs = limbs.limbs.size();
         for (const Limb& limb : limbs.limbs) {
-            counts.highest_order = std::max<int>(counts.highest_order, limb.order);
+            if (counts.limbs_by_order.size() <= limb.order)
+                counts.limbs_by_order.resize(limb.order + 1U);
+            ++counts.limbs_by_order[limb.order];
         }
+        double turns = 0;
+        for (const Branch& branch : skeleton.branches) {
+            if (branch.parent < 0) continue;
+            const Branch& parent = skeleton.branches[static_cast<std::size_t>(branch.parent)];
+            turns += std::abs(branch.heading_rad - parent.heading_rad);
+        }
+        if (counts.branches > 1)
+            counts.mean_turn_rad = turns / static_cast<double>(counts.branches - 1);
     }
 
     const Style& style_;

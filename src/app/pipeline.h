@@ -16,8 +16,9 @@ struct TreeCounts {
     std::size_t branches = 0;
     std::size_t dropped = 0;
     std::size_t limbs = 0;
-    std::size_t ornaments = 0;  // leaves, blossoms and fruit
-    int highest_order = 0;
+    std::size_t ornaments = 0;                // leaves, blossoms and fruit
+    std::vector<std::size_t> limbs_by_order;  // the trunk has order 0
+    double mean_turn_rad = 0;                 // of a branch from its parent, either way
 };
 
 struct Picture {

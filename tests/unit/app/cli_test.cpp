@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli.h"
 
+#include <cmath>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -77,8 +78,8 @@ TEST(Cli, ReportsAreJsonWithStableKeys) {
     EXPECT_EQ(report["bytes"], test::read_whole(folder / "x.png").size());
     const Output measured = run_edaha({"measure", "-", "--json"}, kSapling);
     EXPECT_EQ(keys(measured.out),
-              "style seed width_mm height_mm branches dropped limbs highest_order leaves layers "
-              "shapes nodes bytes overlap_ratio ");
+              "style seed width_mm height_mm branches dropped limbs limbs_by_order "
+              "bifurcation_ratio mean_turn_deg leaves layers shapes nodes bytes overlap_ratio ");
 }
 
 TEST(Cli, TypeAHasTwoBranchesAForkAndSharesEnergy) {
@@ -90,6 +91,9 @@ TEST(Cli, TypeAHasTwoBranchesAForkAndSharesEnergy) {
     const auto report = nlohmann::json::parse(output.out);
     EXPECT_EQ(report["branches"], 31);
     EXPECT_EQ(report["limbs"], 16);
+    // Four forks deep, one way of two follows the limb: binomial coefficients.
+    EXPECT_EQ(report["limbs_by_order"], (std::vector<int>{1, 4, 6, 4, 1}));
+    EXPECT_NEAR(report["bifurcation_ratio"], std::sqrt(6.0), 1e-3);
     EXPECT_EQ(report["leaves"], 0);
 }
 
