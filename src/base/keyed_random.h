@@ -31,10 +31,24 @@ class KeyedRandom {
     KeyedRandom(std::uint64_t family, std::uint64_t member, double vary);
 
     // Uniform in (0, 1). `purpose` is one number per kind of decision in the program.
-    double uniform(Key key, std::uint32_t purpose, std::uint32_t index = 0) const;
+    double uniform(Key key, std::uint32_t purpose, std::uint32_t index = 0) const {
+        return at(key ^ salt(purpose, index));
+    }
+
+    // The same in two steps: a salt made once serves for any number of keys.
+    static constexpr Key salt(std::uint32_t purpose, std::uint32_t index) {
+        return mix((static_cast<Key>(purpose) << 32 | index) + 0x9e3779b97f4a7c15);
+    }
+    double at(Key salted_key) const {
+        if (vary_ >= 1) return unit(mix(salted_key + member_));
+        if (vary_ <= 0) return unit(mix(salted_key + family_));
+        return blended(salted_key);
+    }
 
   private:
-    double blended(Key place) const;
+    // The middle of one of 2^53 equal parts of (0, 1): never 0 or 1.
+    static double unit(Key bits) { return (static_cast<double>(bits >> 11) + 0.5) * 0x1p-53; }
+    double blended(Key salted_key) const;
 
     Key family_, member_;
     double vary_, rest_;

@@ -11,38 +11,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kHalfPi = kPi / 2;
-// pi/2 and ln 2 as a leading part with trailing zeros (products with small integers are exact) and
-// the rest.
-constexpr double kHalfPiHigh = 0x1.921fb544p+0;
-constexpr double kHalfPiLow = 0x1.0b4611a626331p-34;
+// ln 2 as a leading part with trailing zeros and the rest.
 constexpr double kLn2High = 0x1.62e42feep-1;
 constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
-
-// Taylor series on |x| <= pi/4; the first left-out terms are below 1e-16.
-double sin_near_zero(double x) {
-    const double q = x * x;
-    double s = -1.0 / 1307674368000;
-    s = s * q + 1.0 / 6227020800;
-    s = s * q - 1.0 / 39916800;
-    s = s * q + 1.0 / 362880;
-    s = s * q - 1.0 / 5040;
-    s = s * q + 1.0 / 120;
-    s = s * q - 1.0 / 6;
-    return x + x * q * s;
-}
-
-double cos_near_zero(double x) {
-    const double q = x * x;
-    double c = 1.0 / 20922789888000;
-    c = c * q - 1.0 / 87178291200;
-    c = c * q + 1.0 / 479001600;
-    c = c * q - 1.0 / 3628800;
-    c = c * q + 1.0 / 40320;
-    c = c * q - 1.0 / 720;
-    c = c * q + 1.0 / 24;
-    c = c * q - 0.5;
-    return 1 + q * c;
-}
 
 double power_of_two(int n) {
     return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52);
@@ -58,25 +29,8 @@ double quantile_guess(double u) {
 
 }  // namespace
 
-SinCos sin_cos(double x) {
-    const double turns = std::floor(x / kHalfPi + 0.5);
-    const double r = (x - turns * kHalfPiHigh) - turns * kHalfPiLow;
-    const double s = sin_near_zero(r);
-    const double c = cos_near_zero(r);
-    switch (static_cast<std::int64_t>(turns) & 3) {
-        case 0:
-            return {s, c};
-        case 1:
-            return {c, -s};
-        case 2:
-            return {-s, -c};
-        default:
-            return {-c, s};
-    }
-}
-
 double exp(double x) {
-    const double k = std::floor(x / std::numbers::ln2 + 0.5);
+    const auto k = std::floor(x / std::numbers::ln2 + 0.5);
     const double r = (x - k * kLn2High) - k * kLn2Low;
     double sum = 1;
     for (int n = 13; n >= 1; --n)

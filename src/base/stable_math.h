@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
+#include <numbers>
 
 namespace edaha {
 
@@ -13,7 +15,61 @@ struct SinCos {
     double sin, cos;
 };
 
-SinCos sin_cos(double x);          // |x| <= 1e5
+// The largest whole number <= x, for |x| < 2^62. (std::floor is a call where the processor's own
+// instruction may not be used.)
+inline std::int64_t floor(double x) {
+    const auto whole = static_cast<std::int64_t>(x);
+    return whole - (static_cast<double>(whole) > x ? 1 : 0);
+}
+
+namespace detail {
+
+// pi/2 as a leading part with trailing zeros (products with small whole numbers are exact) and the
+// rest.
+inline constexpr double kHalfPiHigh = 0x1.921fb544p+0;
+inline constexpr double kHalfPiLow = 0x1.0b4611a626331p-34;
+
+// Taylor series on |x| <= pi/4; the first left-out terms are below 1e-16.
+inline double sin_near_zero(double x) {
+    const double q = x * x;
+    double s = -1.0 / 1307674368000;
+    s = s * q + 1.0 / 6227020800;
+    s = s * q - 1.0 / 39916800;
+    s = s * q + 1.0 / 362880;
+    s = s * q - 1.0 / 5040;
+    s = s * q + 1.0 / 120;
+    s = s * q - 1.0 / 6;
+    return x + x * q * s;
+}
+
+inline double cos_near_zero(double x) {
+    const double q = x * x;
+    double c = 1.0 / 20922789888000;
+    c = c * q - 1.0 / 87178291200;
+    c = c * q + 1.0 / 479001600;
+    c = c * q - 1.0 / 3628800;
+    c = c * q + 1.0 / 40320;
+    c = c * q - 1.0 / 720;
+    c = c * q + 1.0 / 24;
+    c = c * q - 0.5;
+    return 1 + q * c;
+}
+
+}  // namespace detail
+
+// |x| <= 1e5. Without a jump: headings come from all quadrants, and a wrong guess costs more than
+// both series.
+inline SinCos sin_cos(double x) {
+    const std::int64_t quarter = floor(x * (2 / std::numbers::pi) + 0.5);
+    const auto turns = static_cast<double>(quarter);
+    const double r = (x - turns * detail::kHalfPiHigh) - turns * detail::kHalfPiLow;
+    const double s = detail::sin_near_zero(r), c = detail::cos_near_zero(r);
+    const bool odd = (quarter & 1) != 0;
+    const double sin_sign = (quarter & 2) != 0 ? -1 : 1;
+    const double cos_sign = ((quarter + 1) & 2) != 0 ? -1 : 1;
+    return {(odd ? c : s) * sin_sign, (odd ? s : c) * cos_sign};
+}
+
 double exp(double x);              // -700 <= x <= 700
 double log(double x);              // x > 0, normal
 double pow(double x, double y);    // x > 0

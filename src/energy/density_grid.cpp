@@ -29,35 +29,16 @@ Crossings crossings(double from, double along, std::int64_t cell) {
 
 DensityGrid::DensityGrid(double cell_mm) : cell_mm_(cell_mm), cells_per_mm_(1 / cell_mm) {}
 
-DensityGrid::Cell DensityGrid::cell_of(Vec2 point) const {
-    return {static_cast<std::int64_t>(std::floor(point.x * cells_per_mm_)),
-            static_cast<std::int64_t>(std::floor(point.y * cells_per_mm_))};
-}
-
-double DensityGrid::density(Vec2 point) const {
-    const Cell at = cell_of(point);
-    const std::int64_t column = (at.x >> kTileBits) - left_;
-    const std::int64_t row = (at.y >> kTileBits) - bottom_;
-    if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return 0;
-    const std::int32_t tile = directory_[static_cast<std::size_t>(row * columns_ + column)];
-    if (tile < 0) return 0;
-    constexpr std::int64_t mask = (1 << kTileBits) - 1;
-    return cells_[static_cast<std::size_t>(tile) * kTileCells +
-                  static_cast<std::size_t>((at.y & mask) << kTileBits | (at.x & mask))];
-}
-
 float& DensityGrid::cell(Cell at) {
     const std::int64_t tile_x = at.x >> kTileBits, tile_y = at.y >> kTileBits;
     widen(tile_x, tile_y);
-    const std::int64_t slot = (tile_y - bottom_) * columns_ + tile_x - left_;
-    std::int32_t& tile = directory_[static_cast<std::size_t>(slot)];
+    const std::int64_t place = (tile_y - bottom_) * columns_ + tile_x - left_;
+    std::int32_t& tile = directory_[static_cast<std::size_t>(place)];
     if (tile < 0) {
         tile = static_cast<std::int32_t>(cells_.size() / kTileCells);
         cells_.resize(cells_.size() + kTileCells, 0.0F);
     }
-    constexpr std::int64_t mask = (1 << kTileBits) - 1;
-    return cells_[static_cast<std::size_t>(tile) * kTileCells +
-                  static_cast<std::size_t>((at.y & mask) << kTileBits | (at.x & mask))];
+    return cells_[slot(tile, at)];
 }
 
 // Doubles the box of the directory towards the tile, so that growing stays linear in all.

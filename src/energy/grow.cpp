@@ -72,6 +72,10 @@ class Growth {
         for (const double heading : space.habit_rad)
             habit_.push_back({heading, kappa});
         if (habit_.empty()) habit_.push_back({0, 0});
+        choices_.resize(static_cast<std::size_t>(space.candidates));
+        for (int i = 0; i < space.candidates; ++i) {
+            turn_salts_.push_back(KeyedRandom::salt(kTurn, static_cast<std::uint32_t>(i)));
+        }
     }
 
     Skeleton run() {
@@ -127,25 +131,31 @@ class Growth {
     }
 
     // 2.3.1: of k candidates, the one whose destination is emptiest; the first drawn wins ties.
-    Choice choose(const Bud& bud, const Branch& parent, Key key) const {
+    Choice choose(const Bud& bud, const Branch& parent, Key key) {
         const double length = branch_length_mm(params_.growth, bud.energy);
         const double factor = 1 - params_.branch.balance * bud.share;
         Habit habit = habit_[std::min<std::size_t>(bud.order, habit_.size() - 1)];
         if (params_.space.weep > 0) habit.heading_rad += weep(bud.energy, habit.heading_rad);
-        Choice best{};
-        double best_score = 0;
-        for (int i = 0; i < params_.space.candidates; ++i) {
-            const double u = random_.uniform(key, kTurn, static_cast<std::uint32_t>(i));
-            double turn = bud.turn_rad.at(u) * factor;
+        // In two rounds, so that the processor works on several at once.
+        const std::size_t count = turn_salts_.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            double turn = bud.turn_rad.at(random_.at(key ^ turn_salts_[i])) * factor;
             if (bud.side != 0) turn = std::abs(turn) * bud.side;
-            Choice choice{parent.heading_rad + turn, {}, 0};
+            Choice& choice = choices_[i];
+            choice.heading_rad = parent.heading_rad + turn;
             const auto [sin, cos] = stable::sin_cos(choice.heading_rad);
             choice.end = parent.end + Vec2(sin, cos) * length;
-            choice.density = density(choice.end);
-            const double score = choice.density + habit.weight * off_habit(choice, habit);
-            if (i == 0 || score < best_score) best = choice, best_score = score;
         }
-        return best;
+        std::size_t best = 0;
+        double best_score = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            Choice& choice = choices_[i];
+            choice.density = density(choice.end);
+            double score = choice.density;
+            if (habit.weight > 0) score += habit.weight * off_habit(choice, habit);
+            if (i == 0 || score < best_score) best = i, best_score = score;
+        }
+        return choices_[best];
     }
 
     // How far a branch of this energy turns from its habit to straight down.
@@ -163,7 +173,8 @@ class Growth {
 
     // Squared difference between a heading, left or right alike, and the habit's.
     static double off_habit(const Choice& choice, Habit habit) {
-        const double whole_turns = std::floor(choice.heading_rad / (2 * kPi) + 0.5);
+        const auto whole_turns =
+            static_cast<double>(stable::floor(choice.heading_rad / (2 * kPi) + 0.5));
         const double away = std::abs(choice.heading_rad - 2 * kPi * whole_turns);
         return (away - habit.heading_rad) * (away - habit.heading_rad);
     }
@@ -262,6 +273,8 @@ class Growth {
     DensityGrid grid_;
     BudQueue buds_;
     std::vector<Habit> habit_;
+    std::vector<Key> turn_salts_;  // of each candidate
+    std::vector<Choice> choices_;  // scratch
     Skeleton tree_;
 };
 
