@@ -17,6 +17,11 @@ enum Purpose : std::uint32_t { kBack = 100, kGnarl, kMember };
 // has some ten of them, as illustrators draw it. Less gives crumbs, more a single ball.
 constexpr double kClumpShare = 0.04;
 
+// Branches below this many times the energy at which growth ends don't wander: half of all limbs
+// are such twigs, whose bend at the fork is movement enough, and two nodes saved on each are a
+// tenth of the file.
+constexpr double kGnarlEnergy = 2;
+
 // A bough with more of the tree's energy than this never stands behind: it would be a pale hole in
 // the crown.
 constexpr double kHeavyBough = 0.22;
@@ -133,7 +138,8 @@ class LimbMaker {
                     : (here_width + width_of(skeleton_.branches[static_cast<std::size_t>(next)])) /
                           2;
             const Vec2 start = out_.nodes.back().position, end = page_from_tree(here.end);
-            if (look_.gnarl > 0 && !look_.straight) {
+            if (look_.gnarl > 0 && !look_.straight &&
+                here.energy > kGnarlEnergy * energy_.growth.stop_energy) {
                 const double u = random_.uniform(here.key, kGnarl) * 2 - 1;
                 const Vec2 along = end - start;
                 // A fifth of the length aside is as crooked as an old oak: that is gnarl 1.
