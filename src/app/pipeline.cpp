@@ -11,6 +11,7 @@
 #include "energy/grow.h"
 #include "energy/wood.h"
 #include "ornament/placement.h"
+#include "style/parameter.h"
 
 namespace edaha {
 namespace {
@@ -53,6 +54,7 @@ class PictureMaker {
         for (const Dress& dress : dresses(style_))
             decorate(dress, limbs, behind, front);
         count(skeleton, limbs);
+        picture_.drawing.swatches = swatches();
 
         std::vector<Layer>& layers = picture_.drawing.layers;
         layers.push_back(draw_ground(stand(limbs, wood), style_.look, style_.palette));
@@ -108,6 +110,15 @@ class PictureMaker {
                 if (ink->kind == Ink::Kind::colour) *ink = nearest(style_.palette, ink->colour);
             }
         }
+    }
+
+    std::vector<Swatch> swatches() const {
+        std::vector<Swatch> result;
+        for (const Parameter& parameter : find_group("palette")->parameters) {
+            const auto* colour = std::get_if<Tint>(&parameter.field);
+            if (colour != nullptr) result.push_back({parameter.name, colour->get(style_)});
+        }
+        return result;
     }
 
     static Stand stand(const Limbs& limbs, const Wood& wood) {

@@ -136,6 +136,34 @@ TEST(Pipeline, ASilhouetteIsOnePathWithoutOverlaps) {
     EXPECT_NEAR(overlap_ratio(drawing), 0, 1e-3);
 }
 
+TEST(Pipeline, SwatchesAreThePalettesColours) {
+    const Style style = style_of("oak");
+    const Drawing drawing = draw_picture(style, load).drawing;
+    const auto leaf =
+        std::find_if(drawing.swatches.begin(), drawing.swatches.end(),
+                     [](const Swatch& swatch) { return swatch.name == "leaf-shade"; });
+    ASSERT_NE(leaf, drawing.swatches.end());
+    EXPECT_EQ(leaf->colour, style.palette.leaf_shade);
+}
+
+// For print in few inks: nothing is drawn in a colour that the palette has not.
+TEST(Pipeline, StrictPalettesRecolourTheLeaves) {
+    Style style = style_of("cherry");
+    choose_palette(style, "print");
+    ASSERT_TRUE(style.palette.strict);
+    const Drawing drawing = draw_picture(style, load).drawing;
+    for (const Symbol& symbol : drawing.symbols) {
+        for (const Shape& shape : symbol.shapes) {
+            if (shape.paint.fill.kind != Ink::Kind::colour) continue;
+            const auto known = [&](const Swatch& swatch) {
+                return swatch.colour == shape.paint.fill.colour;
+            };
+            EXPECT_TRUE(std::any_of(drawing.swatches.begin(), drawing.swatches.end(), known))
+                << shape.id;
+        }
+    }
+}
+
 TEST(Pipeline, PageSizeIsWhatIsAskedFor) {
     Style style = style_of("birch", 2);
     style.page.size_mm = 120;
