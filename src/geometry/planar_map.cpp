@@ -146,7 +146,7 @@ double face_area(const PlanarMap& map, std::uint32_t face) {
 Vec2 interior_point(const PlanarMap& map, std::uint32_t face) {
     GridBox box;
     visit_border(map, face, [&](std::uint32_t h) { box.include(map.nodes[map.origin(h)]); });
-    const double y = (box.min.y + box.max.y - 1) / 2 + 0.5;
+    const double y = (box.min.y + box.max.y - 1) / 2 + 0.5;  // NOLINT: between two rows
     std::vector<double> crossings;
     visit_border(map, face, [&](std::uint32_t h) {
         const Vec2 a = to_vec(map.nodes[map.origin(h)]), b = to_vec(map.nodes[map.target(h)]);

@@ -37,7 +37,7 @@ bool stroke_before_fill(std::string_view order) {
 }
 
 std::string keyword(const std::string& value, const std::vector<std::string>& known) {
-    const std::string word(trimmed(value));
+    std::string word(trimmed(value));
     if (std::find(known.begin(), known.end(), word) != known.end()) return word;
     const std::optional<std::string> meant = nearest_name(word, known);
     const std::string expected = fmt::format("{}", fmt::join(known, ", "));

@@ -21,9 +21,9 @@ std::string style_test_name(const testing::TestParamInfo<std::string>& info) {
     return name;
 }
 
-std::vector<std::uint64_t> seeds() {
+std::vector<std::uint64_t> seeds(std::size_t last) {
     const char* const count = std::getenv("EDAHA_SEEDS");
-    std::vector<std::uint64_t> all(count == nullptr ? 20 : std::stoul(count));
+    std::vector<std::uint64_t> all(count == nullptr ? last : std::stoul(count));
     std::iota(all.begin(), all.end(), 1);
     return all;
 }
