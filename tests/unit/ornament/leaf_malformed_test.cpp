@@ -65,7 +65,8 @@ const std::map<std::string, std::string> kMessages = {
     {"too-deep", "too-deep.svg:2:599: 'g' is nested 201 deep (expected at most 200)"},
     {"too-many-shapes", "too-many-shapes.svg:2:4: there are more than 10000 shapes"},
     {"too-much-work",
-     "too-much-work.svg:3:151: the drawing is too large with all <use> and styles written out (expected "
+     "too-much-work.svg:3:151: the drawing is too large with all <use> and styles written out "
+     "(expected "
      "at most 67108864 bytes)"},
     {"unclosed", "unclosed.svg:3:1: XML: the file ends, but not all its elements do"},
     {"unknown-command",
@@ -119,9 +120,11 @@ TEST(MalformedLeaf, TooManyPointsAreRefused) {
 
 TEST(MalformedLeaf, RulesTimesElementsAreBounded) {
     std::string text = "<svg><style>";
-    for (int i = 0; i < 2000; ++i) text += "*{fill:red}";
+    for (int i = 0; i < 2000; ++i)
+        text += "*{fill:red}";
     text += "</style>";
-    for (int i = 0; i < 2000; ++i) text += "<path d='M0 0H4V4Z'/>";
+    for (int i = 0; i < 2000; ++i)
+        text += "<path d='M0 0H4V4Z'/>";
     EXPECT_THROW(read_leaf(text + "</svg>", "rules.svg"), InputError);
 }
 
