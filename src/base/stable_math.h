@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -61,17 +62,22 @@ inline double cos_near_zero(double x) {
 
 }  // namespace detail
 
-// |x| <= 1e5. Without a jump: headings come from all quadrants, and a wrong guess costs more than
-// both series.
+// |x| <= 1e5. Without a jump or a call, so that a loop of them runs two at a time: headings come
+// from all quadrants, and a wrong guess costs more than both series.
 inline SinCos sin_cos(double x) {
-    const std::int64_t quarter = floor(x * (2 / std::numbers::pi) + 0.5);
-    const auto turns = static_cast<double>(quarter);
+    // 1.5 * 2^52 pushes the fraction out: what stays are the quarter turns, rounded, in the low
+    // bits.
+    constexpr double kRounder = 0x1.8p52;
+    const double pushed = x * (2 / std::numbers::pi) + kRounder;
+    const double turns = pushed - kRounder;
+    const auto quarter = std::bit_cast<std::uint64_t>(pushed);
     const double r = (x - turns * detail::kHalfPiHigh) - turns * detail::kHalfPiLow;
-    const double s = detail::sin_near_zero(r), c = detail::cos_near_zero(r);
-    const bool odd = (quarter & 1) != 0;
-    const double sin_sign = (quarter & 2) != 0 ? -1 : 1;
-    const double cos_sign = ((quarter + 1) & 2) != 0 ? -1 : 1;
-    return {(odd ? c : s) * sin_sign, (odd ? s : c) * cos_sign};
+    const auto s = std::bit_cast<std::uint64_t>(detail::sin_near_zero(r));
+    const auto c = std::bit_cast<std::uint64_t>(detail::cos_near_zero(r));
+    const std::uint64_t swapped = (s ^ c) & (0 - (quarter & 1));
+    const std::uint64_t sin_sign = (quarter & 2) << 62, cos_sign = ((quarter + 1) & 2) << 62;
+    return {std::bit_cast<double>(s ^ swapped ^ sin_sign),
+            std::bit_cast<double>(c ^ swapped ^ cos_sign)};
 }
 
 double exp(double x);              // -700 <= x <= 700
