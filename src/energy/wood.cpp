@@ -2,7 +2,8 @@
 #include "energy/wood.h"
 
 #include <algorithm>
-#include <tuple>
+#include <cstdint>
+#include <utility>
 
 #include <tbb/parallel_for.h>
 
@@ -35,15 +36,19 @@ bool is_twig(const Limbs& limbs, const Limb& limb) {
 // Bough by bough; within a bough the twigs first, then the limbs of high order: each limb's start
 // lies under the limb that bears it. The trunk comes last.
 std::vector<std::size_t> paint_order(const Limbs& limbs) {
-    const auto rank = [&](std::size_t i) {
+    // One number says it all: made once a limb, not at each comparison.
+    std::vector<std::pair<std::uint64_t, std::size_t>> ranks(limbs.limbs.size());
+    for (std::size_t i = 0; i < ranks.size(); ++i) {
         const Limb& limb = limbs.limbs[i];
-        return std::tuple(limb.order == 0, -limb.bough, !is_twig(limbs, limb), -int{limb.order}, i);
-    };
-    std::vector<std::size_t> order(limbs.limbs.size());
+        const std::uint64_t last = limb.order == 0, heavy = !is_twig(limbs, limb);
+        const auto bough = 0xffffffffU - static_cast<std::uint32_t>(limb.bough);
+        ranks[i] = {last << 49 | std::uint64_t{bough} << 17 | heavy << 16 | (0xffffU - limb.order),
+                    i};
+    }
+    std::sort(ranks.begin(), ranks.end());
+    std::vector<std::size_t> order(ranks.size());
     for (std::size_t i = 0; i < order.size(); ++i)
-        order[i] = i;
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+        order[i] = ranks[i].second;
     return order;
 }
 
