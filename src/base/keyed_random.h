@@ -47,7 +47,10 @@ class KeyedRandom {
 
   private:
     // The middle of one of 2^53 equal parts of (0, 1): never 0 or 1.
-    static double unit(Key bits) { return (static_cast<double>(bits >> 11) + 0.5) * 0x1p-53; }
+    // (By way of a signed number: that conversion is one instruction.)
+    static double unit(Key bits) {
+        return (static_cast<double>(static_cast<std::int64_t>(bits >> 11)) + 0.5) * 0x1p-53;
+    }
     double blended(Key salted_key) const;
 
     Key family_, member_;
