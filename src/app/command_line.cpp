@@ -54,6 +54,13 @@ void add_tree(CLI::App& app, TreeOptions& tree) {
     app.add_flag("--background", tree.background, "paint the paper");
 }
 
+void add_write(CLI::App& app, WriteOptions& write) {
+    add_text(app, "--dpi", write.dpi, "N", "PNG: pixels an inch");
+    add_text(app, "--width", write.width, "N", "PNG: pixels across");
+    app.add_flag("--expand", write.expand, "SVG: leaves as shapes instead of clones");
+    app.add_flag("--swatches", write.swatches, "SVG: the palette as swatches, for Inkscape");
+}
+
 void add_json(CLI::App& app, Options& options) {
     app.add_flag("--json", options.json, "report as JSON on standard output");
 }
@@ -64,10 +71,7 @@ void add_draw(CLI::App& app, Options& options) {
     add_text(draw, "-o,--output", options.output, "FILE",
              "where to; its ending is the format; - is standard output");
     add_text(draw, "--format", options.format, "FORMAT", "svg, svgz, pdf, png or eps");
-    add_text(draw, "--dpi", options.dpi, "N", "PNG: pixels an inch");
-    add_text(draw, "--width", options.width, "N", "PNG: pixels across");
-    draw.add_flag("--expand", options.expand, "SVG: leaves as shapes instead of clones");
-    draw.add_flag("--swatches", options.swatches, "SVG: the palette as swatches, for Inkscape");
+    add_write(draw, options.write);
     draw.add_flag("--force", options.force, "overwrite a file that -o does not name");
     add_json(draw, options);
     draw.footer(

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/leaf_shelf.h"
 #include "app/overlap.h"
 #include "app/tree_style.h"
 #include "drawing/statistics.h"
@@ -36,7 +37,8 @@ double bifurcation_ratio(const std::vector<std::size_t>& limbs_by_order) {
 }
 
 Json measurements(const Style& style, const Catalogue& catalogue) {
-    const LeafLoader load_leaf = leaf_loader(catalogue);
+    LeafShelf leaves(catalogue);
+    const LeafLoader load_leaf = leaves.loader();
     const Picture picture = draw_picture(style, load_leaf);
     Style solid = style;
     solid.look.wood = Look::solid;

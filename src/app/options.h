@@ -25,17 +25,22 @@ struct TreeOptions {
     bool background = false;
 };
 
-struct Options {
-    TreeOptions tree;
-    std::string output;
-    std::string format;
+// How files are written: for draw and batch.
+struct WriteOptions {
     std::string dpi;
     std::string width;
+    bool expand = false;
+    bool swatches = false;
+};
+
+struct Options {
+    TreeOptions tree;
+    WriteOptions write;
+    std::string output;
+    std::string format;
     std::string topic;               // of explain
     std::string shell;               // of completion
     std::vector<std::string> files;  // of check
-    bool expand = false;
-    bool swatches = false;
     bool force = false;
     bool json = false;
     bool names = false;

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "base/atomic_file.h"
+#include "base/error.h"
 #include "base/number_text.h"
 #include "style/style_xml.h"
 #include "style/value.h"
@@ -120,13 +121,6 @@ double parse_length_mm(const std::string& option, const std::string& text) {
     throw UsageError(
         fmt::format("{}: {} is not a length (expected a number and mm, cm, in, px or pt)", option,
                     in_quotes(text)));
-}
-
-LeafLoader leaf_loader(const Catalogue& catalogue) {
-    return [&catalogue](const std::string& name) {
-        const SourceText source = catalogue.find_leaf(name);
-        return read_leaf(source.text, source.origin);
-    };
 }
 
 }  // namespace edaha

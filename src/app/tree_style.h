@@ -4,7 +4,6 @@
 
 #include "app/console.h"
 #include "app/options.h"
-#include "app/pipeline.h"
 #include "style/catalogue.h"
 #include "style/style.h"
 
@@ -24,8 +23,5 @@ TreeStyle read_tree_style(const TreeOptions& options, const Catalogue& catalogue
 // "120mm", "12cm", "5in", "400px", "340pt" in millimetres (CSS: 96 px and 72 pt an inch).
 // Errors: UsageError.
 double parse_length_mm(const std::string& option, const std::string& text);
-
-// Reads leaf drawings from the catalogue.
-LeafLoader leaf_loader(const Catalogue& catalogue);
 
 }  // namespace edaha

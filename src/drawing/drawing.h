@@ -73,6 +73,7 @@ struct Metadata {
     std::string command;
     std::string style_xml;
     std::string version;
+    std::string recipe;  // fingerprint of all that decides the file's bytes but its format
     std::uint64_t seed = 0;
 };
 

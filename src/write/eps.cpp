@@ -13,6 +13,7 @@ namespace edaha {
 namespace {
 
 constexpr double kPointsPerMm = 72 / 25.4;
+constexpr std::string_view kRecipe = "%EdahaRecipe: ";
 constexpr std::size_t kMostTitleBytes = 200;  // a line of these comments has 255 at most
 
 // Printable ASCII as a PostScript string; other characters become '?'.
@@ -40,6 +41,8 @@ std::string head(const Drawing& drawing) {
     text += fmt::format("%%BoundingBox: 0 0 {:.0f} {:.0f}\n", std::ceil(width), top);
     text += "%%HiResBoundingBox: 0 " + number_text(top - height, 4) + ' ' + number_text(width, 4) +
             ' ' + number_text(top, 4) + '\n';
+    if (!drawing.metadata.recipe.empty())
+        text += std::string(kRecipe) + postscript_text(drawing.metadata.recipe) + '\n';
     return text + "%%Pages: 1\n%%DocumentData: Clean7Bit\n%%LanguageLevel: 2\n%%EndComments\n";
 }
 
@@ -55,6 +58,13 @@ std::string eps_bytes(const Drawing& drawing, const EpsParams& params) {
     constexpr std::string_view kEndOfHead = "%%EndComments\n";
     bytes.replace(0, bytes.find(kEndOfHead) + kEndOfHead.size(), head(drawing));
     return bytes;
+}
+
+std::string eps_recipe(std::string_view eps) {
+    const std::size_t at = eps.substr(0, eps.find("%%EndComments")).find(kRecipe);
+    if (at == std::string_view::npos) return "";
+    const std::string_view text = eps.substr(at + kRecipe.size() + 1);
+    return std::string(text.substr(0, text.find(')')));
 }
 
 }  // namespace edaha

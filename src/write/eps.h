@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
+#include <string_view>
 
 #include "drawing/drawing.h"
 
@@ -15,5 +16,8 @@ struct EpsParams {
 // filled shape are mixed with that one's. The bounding box is the page; there is no date.
 // Errors: IoError.
 std::string eps_bytes(const Drawing& drawing, const EpsParams& params);
+
+// Metadata::recipe of an EPS file that we wrote; empty if there is none.
+std::string eps_recipe(std::string_view eps);
 
 }  // namespace edaha

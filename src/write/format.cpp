@@ -3,7 +3,10 @@
 
 #include <algorithm>
 
+#include "base/error.h"
+#include "write/layered_pdf.h"
 #include "write/pdf.h"
+#include "write/svg_metadata.h"
 
 namespace edaha {
 namespace {
@@ -47,6 +50,18 @@ std::optional<Format> format_of_file(std::string_view file_name) {
     });
     if (found == kFormats.end()) return std::nullopt;
     return *found;
+}
+
+std::string recorded_recipe(std::string_view bytes, Format format) {
+    if (format == Format::pdf) return pdf_recipe(bytes);
+    if (format == Format::png) return png_recipe(bytes);
+    if (format == Format::eps) return eps_recipe(bytes);
+    try {
+        const auto metadata = read_svg_metadata(bytes);
+        return metadata ? metadata->recipe : "";
+    } catch (const IoError&) {
+        return "";  // damaged while packed
+    }
 }
 
 WriteReport write_drawing(const Drawing& drawing, Format format, const WriteParams& params,

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "drawing/drawing.h"
@@ -33,6 +34,10 @@ struct WriteReport {
     std::size_t bytes = 0;
     SvgReport svg;  // of svg and svgz
 };
+
+// The recipe that a file in this format records, even if an editor has saved it anew; empty if
+// there is none, or if it is no file of this format. Errors: IoError for a damaged svgz.
+std::string recorded_recipe(std::string_view bytes, Format format);
 
 // Writes the drawing in any of the formats. Errors: IoError (see the writers) and what `sink`
 // throws.

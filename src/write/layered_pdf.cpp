@@ -19,6 +19,9 @@ using Object = QPDFObjectHandle;
 // Some programs want dates; any moment will do if it is always the same one.
 constexpr const char* kDate = "D:20000101000000Z";
 
+// A key of our own in the document's information: PDF 32000-1, 14.3.3.
+constexpr const char* kRecipeKey = "/EdahaRecipe";
+
 Object text_object(const std::string& text) {
     return Object::newUnicodeString(xml_safe(text));
 }
@@ -97,6 +100,7 @@ void Assembly::add_information() {
     add("/Subject", document_.subject);
     add("/Keywords", document_.keywords);
     add("/Creator", document_.creator);
+    add(kRecipeKey, document_.recipe);
     information.replaceKey("/CreationDate", Object::newString(kDate));
     information.replaceKey("/ModDate", Object::newString(kDate));
     pdf_.getTrailer().replaceKey("/Info", pdf_.makeIndirectObject(information));
@@ -122,6 +126,19 @@ std::string Assembly::bytes() {
 
 std::string join_layers(const LayeredPdf& document) {
     return Assembly(document).bytes();
+}
+
+std::string pdf_recipe(std::string_view pdf) {
+    QPDF document;
+    document.setSuppressWarnings(true);
+    try {
+        document.processMemoryFile("pdf", pdf.data(), pdf.size());
+        Object information = document.getTrailer().getKey("/Info");
+        if (!information.isDictionary() || !information.hasKey(kRecipeKey)) return "";
+        return information.getKey(kRecipeKey).getUTF8Value();
+    } catch (const QPDFExc&) {
+        return "";
+    }
 }
 
 }  // namespace edaha

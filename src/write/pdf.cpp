@@ -15,6 +15,7 @@ std::string pdf_bytes(const Drawing& drawing) {
     document.title = metadata.title;
     document.subject = metadata.description;
     document.keywords = metadata.command;
+    document.recipe = metadata.recipe;
     document.creator = metadata.version.empty() ? "edaha" : "edaha " + metadata.version;
     for (const Layer& layer : drawing.layers) {
         Canvas canvas(Canvas::Kind::pdf, document.width_pt, document.height_pt);

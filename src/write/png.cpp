@@ -21,12 +21,27 @@ constexpr double kMillimetresPerInch = 25.4;
 
 // Where chunks of our own go: after the signature (8 bytes) and IHDR, the first chunk (25).
 constexpr std::size_t kAfterHeader = 33;
+constexpr std::size_t kSignature = 8;
+constexpr std::size_t kLengthAndType = 8;
+constexpr std::size_t kCheckSum = 4;
+
+// Between the keyword of an international text and its text, where both say nothing: the keyword's
+// end, two flags, the ends of a language and of a translated keyword.
+constexpr std::size_t kTextFlags = 5;
+constexpr std::string_view kRecipeKeyword = "Recipe";
 
 std::string big_endian(std::uint32_t number) {
     std::string bytes(4, '\0');
     for (int i = 0; i < 4; ++i)
         bytes[3 - i] = static_cast<char>(number >> (8 * i) & 0xff);
     return bytes;
+}
+
+std::size_t read_big_endian(std::string_view bytes) {
+    std::size_t number = 0;
+    for (const char byte : bytes)
+        number = number << 8 | static_cast<unsigned char>(byte);
+    return number;
 }
 
 // Length, type, data, check sum of type and data: PNG specification, 5.3.
@@ -42,7 +57,7 @@ std::string chunk(std::string_view type, std::string_view data) {
 // text.
 std::string text_chunk(std::string_view keyword, const std::string& text) {
     if (text.empty()) return "";
-    return chunk("iTXt", std::string(keyword) + std::string(5, '\0') + xml_safe(text));
+    return chunk("iTXt", std::string(keyword) + std::string(kTextFlags, '\0') + xml_safe(text));
 }
 
 std::string size_chunk(double pixels_per_mm) {
@@ -53,7 +68,8 @@ std::string size_chunk(double pixels_per_mm) {
 std::string own_chunks(const Metadata& metadata, double pixels_per_mm) {
     std::string chunks = size_chunk(pixels_per_mm) + text_chunk("Title", metadata.title);
     if (!metadata.version.empty()) chunks += text_chunk("Software", "edaha " + metadata.version);
-    return chunks + text_chunk("Comment", metadata.command);
+    return chunks + text_chunk("Comment", metadata.command) +
+           text_chunk(kRecipeKeyword, metadata.recipe);
 }
 
 // Whole pixels; a page that is a hair above a whole number (of rounding) does not get one more.
@@ -84,6 +100,17 @@ std::string png_bytes(const Drawing& drawing, const PngParams& params) {
     std::string bytes = canvas.finish();
     bytes.insert(kAfterHeader, own_chunks(drawing.metadata, scale));
     return bytes;
+}
+
+std::string png_recipe(std::string_view png) {
+    const std::string head = "iTXt" + std::string(kRecipeKeyword) + std::string(kTextFlags, '\0');
+    for (std::size_t i = kSignature; i + kLengthAndType < png.size();) {
+        const std::size_t length = read_big_endian(png.substr(i, 4));
+        const std::string_view typed = png.substr(i + 4, 4 + length);
+        if (typed.starts_with(head)) return std::string(typed.substr(head.size()));
+        i += kLengthAndType + length + kCheckSum;
+    }
+    return "";
 }
 
 }  // namespace edaha

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "drawing/drawing.h"
 
@@ -17,8 +18,11 @@ struct PngParams {
 };
 
 // The drawing as a PNG file's bytes, 8 bits a channel with alpha, its physical size (pHYs) and, as
-// text, title, software and the command that makes it again. No date.
+// text, title, software, the command that makes it again and its recipe. No date.
 // Errors: IoError, "a picture of 40000 x 40000 pixels is above the limit of 200000000 pixels".
 std::string png_bytes(const Drawing& drawing, const PngParams& params);
+
+// Metadata::recipe of a PNG that we wrote; empty if there is none.
+std::string png_recipe(std::string_view png);
 
 }  // namespace edaha

@@ -38,6 +38,8 @@ void append_tree(pugi::xml_node rdf, const Metadata& metadata) {
     tree.append_attribute("rdf:about") = "";
     tree.append_attribute("edaha:version") = xml_safe(metadata.version).c_str();
     tree.append_attribute("edaha:seed") = std::to_string(metadata.seed).c_str();
+    if (!metadata.recipe.empty())
+        tree.append_attribute("edaha:recipe") = xml_safe(metadata.recipe).c_str();
     append_text(tree, "edaha:command", metadata.command);
     append_text(tree, "edaha:style", metadata.style_xml);
 }
@@ -126,6 +128,7 @@ std::optional<Metadata> read_svg_metadata(std::string_view svg, std::size_t max_
     metadata.command = child_text(tree, "command");
     metadata.style_xml = child_text(tree, "style");
     metadata.version = attribute_named(tree, "version");
+    metadata.recipe = attribute_named(tree, "recipe");
     const std::string_view seed = attribute_named(tree, "seed");
     const auto read = std::from_chars(seed.data(), seed.data() + seed.size(), metadata.seed);
     if (read.ec != std::errc{} || read.ptr != seed.data() + seed.size()) return std::nullopt;

@@ -13,8 +13,8 @@ class xml_node;
 namespace edaha {
 
 // Appends <title>, <desc> and <metadata> to an <svg> element: Dublin Core in RDF for others,
-// <edaha:tree version seed> with <edaha:command> and <edaha:style> for us, the style as text, to
-// the letter. Parts that are empty are left out.
+// <edaha:tree version seed recipe> with <edaha:command> and <edaha:style> for us, the style as
+// text, to the letter. Parts that are empty are left out.
 void append_metadata(pugi::xml_node svg, const Metadata& metadata);
 
 // What append_metadata wrote, also after an editor has saved the file anew. `svg` may be gzipped.

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/tree_style.h"
+#include "app/leaf_shelf.h"
 #include "style/style_xml.h"
 #include "support/run.h"
 #include "write/format.h"
@@ -30,7 +30,7 @@ Rendering draw(const std::string& name) {
     const Catalogue catalogue;
     const std::string file = TESTS_DIR "/golden/styles/" + name + ".xml";
     const Style style = read_style(catalogue.find_style(file), catalogue);
-    const Drawing drawing = draw_picture(style, leaf_loader(catalogue)).drawing;
+    const Drawing drawing = draw_picture(style, LeafShelf(catalogue).loader()).drawing;
     WriteParams params;
     params.png.width_px = 200;
     Rendering rendering;

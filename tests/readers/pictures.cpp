@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "app/tree_style.h"
+#include "app/leaf_shelf.h"
 #include "style/style_xml.h"
 
 namespace edaha::test {
@@ -32,7 +32,7 @@ Picture draw_tree(const std::string& style_name, std::uint64_t seed) {
     const Catalogue catalogue;
     Style style = read_style(catalogue.find_style(style_name), catalogue);
     style.energy.variant.seed = seed;
-    return draw_picture(style, leaf_loader(catalogue));
+    return draw_picture(style, LeafShelf(catalogue).loader());
 }
 
 std::string in_format(const Drawing& drawing, Format format) {

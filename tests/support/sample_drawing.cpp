@@ -152,6 +152,7 @@ Drawing sample_drawing() {
                         "edaha draw sample --set 'title=<枝>'",
                         "<style name=\"sample\">\n  <!-- a & b -->\n\t<leaf/>\n</style>\n",
                         "0.1.0",
+                        "0123456789abcdef",
                         18446744073709551615u};
     return drawing;
 }

@@ -46,6 +46,15 @@ TEST(Format, FilesStartAsTheirFormatsDo) {
     EXPECT_EQ(bytes_of(Format::eps).substr(0, 11), "%!PS-Adobe-");
 }
 
+TEST(Format, EveryFileRecordsItsRecipe) {
+    for (const Format format : kFormats) {
+        EXPECT_EQ(recorded_recipe(bytes_of(format), format), "0123456789abcdef") << name(format);
+        EXPECT_EQ(recorded_recipe("", format), "") << name(format);
+        EXPECT_EQ(recorded_recipe("something else", format), "") << name(format);
+        EXPECT_EQ(recorded_recipe(bytes_of(format).substr(0, 60), format), "") << name(format);
+    }
+}
+
 // More than a second apart: dates have seconds.
 TEST(Format, ALaterRunGivesTheSameBytes) {
     std::vector<std::string> before;

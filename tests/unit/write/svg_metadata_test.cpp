@@ -28,6 +28,7 @@ void expect_same(const std::optional<Metadata>& read, const Metadata& written) {
     EXPECT_EQ(read->command, written.command);
     EXPECT_EQ(read->style_xml, written.style_xml);
     EXPECT_EQ(read->version, written.version);
+    EXPECT_EQ(read->recipe, written.recipe);
     EXPECT_EQ(read->seed, written.seed);
 }
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "app/pipeline.h"
+#include "style/catalogue.h"
+
+namespace edaha {
+
+// Leaf drawings of a catalogue, each read once for any number of pictures and threads.
+// Errors of all calls: InputError and IoError, as for the drawing itself.
+class LeafShelf {
+  public:
+    // The catalogue must live as long as this.
+    explicit LeafShelf(const Catalogue& catalogue) : catalogue_(catalogue) {}
+    LeafShelf(const LeafShelf&) = delete;
+    LeafShelf& operator=(const LeafShelf&) = delete;
+
+    const LeafImport& leaf(const std::string& name) { return find(name).import; }
+    const std::string& fingerprint(const std::string& name) { return find(name).fingerprint; }
+
+    // For draw_picture; as long as this lives.
+    LeafLoader loader();
+
+  private:
+    struct Entry {
+        LeafImport import;
+        std::string fingerprint;  // of its text
+    };
+    const Entry& find(const std::string& name);
+
+    const Catalogue& catalogue_;
+    std::mutex mutex_;
+    std::map<std::string, Entry> entries_;  // which never move
+};
+
+}  // namespace edaha
