@@ -55,6 +55,9 @@ struct Parameter {
     Limits limits;       // of Number, Integer, and each number of Interval and ByOrder
     std::string help;    // one line
     std::string source;  // "paper 2.2.1", "Edaha"
+    // Between these, in the users' unit, most pictures lie: for sliders and samples. Equal where
+    // the limits say it already, or where there is nothing to see.
+    Range usual;
 
     std::string key() const { return group + '.' + name; }
 };

@@ -22,6 +22,7 @@ struct Row {  // numbers, whole or not, ranges of them, lists of them
     Limits limits;
     const char* source;
     const char* help;
+    Range usual{};  // see Parameter
 };
 
 struct PlainRow {  // flags, colours, references
@@ -51,19 +52,20 @@ class RowWriter {
     requires(!kIsPlain<Value> && !std::is_enum_v<Value>) void add(Value Params::*member,
                                                                   const Row& row) {
         using Shown = std::conditional_t<std::is_integral_v<Value>, std::int64_t, Value>;
-        rows_.push_back(
-            {group_, row.name, Field(access<Shown>(member)), row.limits, row.help, row.source});
+        rows_.push_back({group_, row.name, Field(access<Shown>(member)), row.limits, row.help,
+                         row.source, row.usual});
     }
 
     template <class Params, class Value>
     requires(kIsPlain<Value>) void add(Value Params::*member, const PlainRow& row) {
-        rows_.push_back({group_, row.name, Field(access<Value>(member)), {}, row.help, row.source});
+        rows_.push_back(
+            {group_, row.name, Field(access<Value>(member)), {}, row.help, row.source, {}});
     }
 
     template <class Params, class Value>
     requires(std::is_enum_v<Value>) void add(Value Params::*member, const ChoiceRow& row) {
         Choice choice{access<std::size_t>(member), row.names};
-        rows_.push_back({group_, row.name, Field(std::move(choice)), {}, row.help, row.source});
+        rows_.push_back({group_, row.name, Field(std::move(choice)), {}, row.help, row.source, {}});
     }
 
     std::vector<Parameter> take() { return std::move(rows_); }

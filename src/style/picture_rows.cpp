@@ -13,20 +13,21 @@ std::vector<Parameter> ornament_rows(const char* group, Reach reach) {
     // clang-format off
     rows.add(&P::shape, {"shape", kOurs,
         "drawing: a name (edaha leaves) or an SVG file; empty: none"});
-    rows.add(&P::size_mm, {"size", mm(0.01, 1000), kOurs, "from its stem to its far end"});
+    rows.add(&P::size_mm, {"size", mm(0.01, 1000), kOurs,
+        "from its stem to its far end", {1.5, 7.5}});
     rows.add(&P::size_spread, {"size-spread", {0, 0.95}, kOurs,
-        "sizes are size times 1 - spread to 1 + spread"});
-    rows.add(&P::count, {"count", {0, 100}, kOurs, "mean number at a twig's end"});
+        "sizes are size times 1 - spread to 1 + spread", {0, 0.8}});
+    rows.add(&P::count, {"count", {0, 100}, kOurs, "mean number at a twig's end", {0, 6}});
     rows.add(&P::fan_rad, {"fan", degrees(0, 180), kOurs,
-        "those at a twig's end fan out to either side by up to this"});
+        "those at a twig's end fan out to either side by up to this", {0, 160}});
     rows.add(&P::along_mm, {"along", mm(0, 1000), kOurs,
-        "spacing of further ones along the twigs; 0: none"});
+        "spacing of further ones along the twigs; 0: none", {1.5, 12}});
     rows.add(&P::along_width_mm, {"along-width", mm(0, 1000), kOurs,
-        "those grow on wood thinner than this"});
+        "those grow on wood thinner than this", {0.3, 2}});
     rows.add(&P::along_angle_rad, {"along-angle", degrees(0, 180), kOurs,
-        "angle between those and their twig"});
+        "angle between those and their twig", {10, 90}});
     rows.add(&P::scatter_mm, {"scatter", mm(0, 1000), kOurs,
-        "distance from the twig that a cluster spreads over"});
+        "distance from the twig that a cluster spreads over", {0, 4}});
     rows.add(&P::droop, {"droop", {0, 1}, kOurs, "how far they turn to hang straight down"});
     rows.add(&P::upright, {"upright", {0, 1}, kOurs, "how far they turn to stand straight up"});
     rows.add(&P::share, {"share", {0, 1}, kOurs, "part of the sites that bear one"});
@@ -47,28 +48,29 @@ std::vector<Parameter> look_rows() {
     rows.add(&P::straight, {"straight", "paper 2",
         "limbs as straight sticks, as the paper draws them"});
     rows.add(&P::gnarl, {"gnarl", {0, 5}, kOurs,
-        "sideways wander of a limb between its forks, part of the length"});
+        "sideways wander of a limb between its forks, part of the length", {0, 2}});
     rows.add(&P::sweep, {"sweep", {0, 1}, kOurs,
         "how far a child sets out along its parent before it turns"});
     rows.add(&P::fillet, {"fillet", {0, 10}, kOurs,
-        "radius of a joint's fillets, in widths of the child"});
+        "radius of a joint's fillets, in widths of the child", {0, 3}});
     rows.add(&P::tip, {"tip", {0, 1}, kOurs,
         "width of a limb's end, part of the width of its last branch"});
-    rows.add(&P::min_width_mm, {"min-width", mm(0, 10), kOurs, "no twig is drawn thinner"});
+    rows.add(&P::min_width_mm, {"min-width", mm(0, 10), kOurs,
+        "no twig is drawn thinner", {0, 1.2}});
     rows.add(&P::root_flare, {"root-flare", {0, 10}, kOurs,
-        "how far the trunk widens at the ground, part of its width"});
+        "how far the trunk widens at the ground, part of its width", {0, 2}});
     rows.add(&P::root_height, {"root-height", {0, 20}, kOurs,
-        "height of that flare, in widths of the trunk"});
+        "height of that flare, in widths of the trunk", {0.5, 4}});
     rows.add(&P::stroke_mm, {"stroke", mm(0.001, 50), kOurs,
-        "look outline: stroke of the contour"});
+        "look outline: stroke of the contour", {0.1, 1}});
     rows.add(&P::back, {"back", {0, 1}, kOurs, "part of the boughs that stand behind the trunk"});
-    rows.add(&P::marks, {"marks", {0, 100}, kOurs, "bark marks on 10 mm of limb"});
+    rows.add(&P::marks, {"marks", {0, 100}, kOurs, "bark marks on 10 mm of limb", {0, 8}});
     rows.add(&P::mark_min_width_mm, {"mark-min-width", mm(0, 1000), kOurs,
-        "limbs thinner than this bear no marks"});
+        "limbs thinner than this bear no marks", {0.5, 4}});
     rows.add(&P::ground, {"ground", {"none", "shadow", "mound"}, kOurs,
         "what the trunk stands on"});
     rows.add(&P::ground_width, {"ground-width", {0, 10}, kOurs,
-        "width of the ground, part of the crown's"});
+        "width of the ground, part of the crown's", {0.3, 1.5}});
     // clang-format on
     return rows.take();
 }
@@ -125,8 +127,8 @@ std::vector<Parameter> page_rows() {
         "page", [](auto& s) -> auto& { return s.page; });
     // clang-format off
     rows.add(&P::size_mm, {"size", mm(0, 10000), kOurs,
-        "longer side of the page; 0: the tree's own size"});
-    rows.add(&P::margin_mm, {"margin", mm(0, 1000), kOurs, "empty border round the tree"});
+        "longer side of the page; 0: the tree's own size", {60, 140}});
+    rows.add(&P::margin_mm, {"margin", mm(0, 1000), kOurs, "empty border round the tree", {0, 40}});
     rows.add(&P::background, {"background", kOurs, "paint the paper"});
     // clang-format on
     return rows.take();

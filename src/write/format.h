@@ -36,7 +36,7 @@ struct WriteReport {
 };
 
 // The recipe that a file in this format records, even if an editor has saved it anew; empty if
-// there is none, or if it is no file of this format. Errors: IoError for a damaged svgz.
+// there is none, or if it is no sound file of this format.
 std::string recorded_recipe(std::string_view bytes, Format format);
 
 // Writes the drawing in any of the formats. Errors: IoError (see the writers) and what `sink`
