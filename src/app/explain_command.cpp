@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "base/nearest_name.h"
 #include "style/parameter.h"
+#include "style/samples.h"
 #include "style/reference_page.h"
 #include "style/schema.h"
 #include "style/value.h"
@@ -45,8 +46,14 @@ Json to_json(const Parameter& parameter) {
         json["most"] = parameter.limits.most;
         json["unit"] = kUnits[static_cast<std::size_t>(parameter.limits.unit)];
     }
+    const Range usual = usual_range(parameter);
+    if (usual.low < usual.high) {
+        json["usual_least"] = usual.low;
+        json["usual_most"] = usual.high;
+    }
     if (const auto* choice = std::get_if<Choice>(&parameter.field)) json["choices"] = choice->names;
     json["default"] = value_text(Style(), parameter);
+    json["samples"] = samples(parameter);
     json["help"] = parameter.help;
     json["source"] = parameter.source;
     return json;
