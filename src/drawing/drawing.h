@@ -58,6 +58,9 @@ struct Symbol {
 // The label with everything but ASCII letters, digits, . _ - replaced by `-`.
 std::string id_from_label(std::string_view label);
 
+// The layer that holds the painted paper, if there is one: the lowest.
+inline constexpr const char* kBackgroundLabel = "Background";
+
 struct Layer {
     std::string label;  // as a person would name it: "Leaves behind"
     Paint paint;

@@ -6,70 +6,10 @@
 
 #include <tbb/parallel_for.h>
 
-#include "geometry/bounds.h"
-#include "geometry/measure.h"
+#include "drawing/ink_box.h"
 
 namespace edaha {
 namespace {
-
-Bounds box_of(const Symbol& symbol) {
-    Bounds box;
-    for (const Shape& shape : symbol.shapes) {
-        Bounds one = bounds(shape.path);
-        if (shape.paint.stroke.kind == Ink::Kind::colour) {
-            one.min -= shape.paint.stroke_width_mm / 2;
-            one.max += shape.paint.stroke_width_mm / 2;
-        }
-        box.include(one);
-    }
-    return box;
-}
-
-class Extent {
-  public:
-    explicit Extent(const Drawing& drawing) {
-        for (const Symbol& symbol : drawing.symbols)
-            symbols_.push_back(box_of(symbol));
-        for (const Layer& layer : drawing.layers)
-            include(layer.children, layer.paint);
-    }
-    Bounds box;
-
-  private:
-    void include(const std::vector<Element>& elements, const Paint& inherited) {
-        for (const Element& element : elements) {
-            if (const auto* group = std::get_if<Group>(&element)) {
-                include(group->children, merged(inherited, group->paint));
-            } else if (const auto* use = std::get_if<Use>(&element)) {
-                include(*use);
-            } else {
-                const auto& shape = std::get<Shape>(element);
-                const Paint paint = merged(inherited, shape.paint);
-                Bounds one = bounds(shape.path);
-                if (paint.stroke.kind == Ink::Kind::colour) {
-                    one.min -= paint.stroke_width_mm / 2;
-                    one.max += paint.stroke_width_mm / 2;
-                }
-                box.include(one);
-            }
-        }
-    }
-
-    void include(const Use& use) {
-        const Bounds& b = symbols_[use.symbol];
-        for (const Vec2 corner : {b.min, b.max, Vec2(b.min.x, b.max.y), Vec2(b.max.x, b.min.y)}) {
-            box.include(transform(use.page_from_symbol, corner));
-        }
-    }
-
-    static Paint merged(Paint paint, const Paint& own) {
-        if (own.stroke.kind != Ink::Kind::inherit) paint.stroke = own.stroke;
-        if (own.stroke_width_mm > 0) paint.stroke_width_mm = own.stroke_width_mm;
-        return paint;
-    }
-
-    std::vector<Bounds> symbols_;
-};
 
 void move(std::vector<Element>& elements, const Affine& map, double scale);
 
@@ -99,7 +39,7 @@ Layer background(const Drawing& drawing, Colour paper) {
     path.line_to({drawing.width_mm, drawing.height_mm});
     path.line_to({0, drawing.height_mm});
     path.close();
-    Layer layer{"Background", {}, {}};
+    Layer layer{kBackgroundLabel, {}, {}};
     layer.paint.fill = paper;
     layer.children.emplace_back(Shape{"paper", path, {}});
     return layer;
@@ -109,7 +49,7 @@ Layer background(const Drawing& drawing, Colour paper) {
 
 Drawing on_page(Drawing drawing, const PageParams& page, const Palette& palette) {
     std::erase_if(drawing.layers, [](const Layer& layer) { return layer.children.empty(); });
-    const Bounds box = Extent(drawing).box;
+    const Bounds box = InkBoxes(drawing).of_all();
     const double longer = std::max({box.width(), box.height(), 1e-6});
     const double room = std::max(page.size_mm - 2 * page.margin_mm, 0.1 * page.size_mm);
     const double scale = page.size_mm > 0 ? room / longer : 1;
