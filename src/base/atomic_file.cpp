@@ -23,6 +23,9 @@ namespace fs = std::filesystem;
 // Large enough that the calls cost nothing, small enough for hundreds of files at once.
 constexpr std::size_t kBufferBytes = 1 << 16;
 
+// A hidden name may be left over from a killed process with the same number: the next one is tried.
+constexpr int kMostNames = 100;
+
 // As many links as Linux follows before it says ELOOP.
 constexpr int kMostLinks = 40;
 
@@ -52,9 +55,14 @@ std::string temporary_name(const fs::path& target) {
     return (target.parent_path() / name).string();
 }
 
+// By this name the system reaches an open file that has no other.
+std::string name_of_open_file(int descriptor) {
+    return "/proc/self/fd/" + std::to_string(descriptor);
+}
+
 }  // namespace
 
-AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
+AtomicFile::AtomicFile(std::string path, Scratch scratch) : path_(std::move(path)) {
     buffer_.reserve(kBufferBytes);
     const std::optional<fs::path> target = follow_links(path_);
     if (!target) fail(ELOOP);
@@ -68,7 +76,8 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
         descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
         if (descriptor_ < 0) fail(errno);
     } else {
-        open_temporary();
+        nameless_ = scratch == Scratch::nameless && open_nameless();
+        if (!nameless_) open_hidden();
         if (exists && ::fchmod(descriptor_, status.st_mode & 07777) != 0) fail(errno);
     }
 }
@@ -77,15 +86,46 @@ AtomicFile::~AtomicFile() {
     abandon();
 }
 
-void AtomicFile::open_temporary() {
-    // A name may be left over from a killed process with the same number: take the next one.
-    for (int attempt = 0; attempt < 100 && descriptor_ < 0; ++attempt) {
+// False if the system, the file system or the container knows no such files; whatever else is wrong
+// shows again with a name.
+bool AtomicFile::open_nameless() {
+#ifdef O_TMPFILE
+    const std::string folder = fs::path(target_).parent_path().string();
+    descriptor_ =
+        ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) return false;
+    const std::string open_file = name_of_open_file(descriptor_);
+    if (::faccessat(AT_FDCWD, open_file.c_str(), F_OK, AT_EACCESS) == 0) return true;
+    ::close(descriptor_);
+    descriptor_ = -1;
+#endif
+    return false;
+}
+
+void AtomicFile::open_hidden() {
+    for (int attempt = 0; attempt < kMostNames && descriptor_ < 0; ++attempt) {
         const std::string name = temporary_name(target_);
         descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor_ >= 0) temporary_ = name;
         if (descriptor_ < 0 && errno != EEXIST) break;
     }
     if (descriptor_ < 0) fail(errno);
+}
+
+// Gives the file its own name, or a hidden one for renaming where another has that name.
+void AtomicFile::link_nameless() {
+    const std::string open_file = name_of_open_file(descriptor_);
+    const auto link_to = [&](const std::string& name) {
+        return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
+    };
+    if (link_to(target_) == 0) return;
+    for (int attempt = 0; attempt < kMostNames && errno == EEXIST; ++attempt) {
+        const std::string name = temporary_name(target_);
+        if (link_to(name) != 0) continue;
+        temporary_ = name;
+        return;
+    }
+    fail(errno);
 }
 
 void AtomicFile::write(std::string_view bytes) {
@@ -101,6 +141,7 @@ void AtomicFile::write(std::string_view bytes) {
 void AtomicFile::commit() {
     if (descriptor_ < 0) fail(EBADF);
     flush();
+    if (nameless_) link_nameless();
     const int closed = ::close(descriptor_);
     descriptor_ = -1;
     if (closed != 0) fail(errno);  // network file systems report a full disk only here

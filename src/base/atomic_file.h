@@ -6,9 +6,12 @@
 
 namespace edaha {
 
-// A file that appears whole or not at all. What is written goes to a hidden name in the same
-// folder; commit() renames it into place; without commit() (an exception, say) it is removed and
+// A file that appears whole or not at all. Until commit() its bytes have no name, where the system
+// can do that: Linux, on most local disks. Elsewhere they have a hidden name in the same folder,
+// from which commit() renames them. Without commit() (an exception, say) they are gone, and
 // whatever stood there before stays.
+//   - Even a killed process (SIGKILL) leaves nothing; where names are hidden, it may leave one such
+//     file.
 //   - A new file has the permissions that the umask gives, a replaced one keeps its own; one that
 //     may not be written is not replaced.
 //   - A symbolic link stays and its target is replaced, even where the target is still missing.
@@ -16,7 +19,9 @@ namespace edaha {
 // Errors: IoError, "cannot write 'tree.svg': No space left on device". Not for two threads at once.
 class AtomicFile {
   public:
-    explicit AtomicFile(std::string path);
+    enum class Scratch { nameless, hidden };  // nameless: hidden where there is no other way
+
+    explicit AtomicFile(std::string path, Scratch scratch = Scratch::nameless);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
@@ -25,7 +30,9 @@ class AtomicFile {
     void commit();
 
   private:
-    void open_temporary();
+    bool open_nameless();
+    void open_hidden();
+    void link_nameless();
     void flush();
     void write_through(std::string_view bytes);
     void abandon() noexcept;
@@ -33,7 +40,8 @@ class AtomicFile {
 
     std::string path_;       // as the user named it: for messages
     std::string target_;     // with links followed
-    std::string temporary_;  // empty: written straight through
+    std::string temporary_;  // hidden name; empty while there is none
+    bool nameless_ = false;
     std::string buffer_;
     int descriptor_ = -1;
 };

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "base/atomic_file.h"
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/error.h"
@@ -15,6 +18,7 @@ namespace edaha {
 namespace {
 
 namespace fs = std::filesystem;
+using Scratch = AtomicFile::Scratch;
 using test::read_whole;
 using test::TemporaryFolder;
 using test::write_whole;
@@ -30,8 +34,9 @@ mode_t mode_of(const std::string& path) {
     return status.st_mode & 07777;
 }
 
-void write_file(const std::string& path, const std::string& bytes) {
-    AtomicFile file(path);
+void write_file(const std::string& path, const std::string& bytes,
+                Scratch scratch = Scratch::nameless) {
+    AtomicFile file(path, scratch);
     file.write(bytes);
     file.commit();
 }
@@ -45,10 +50,16 @@ std::string error_of(const std::string& path, const std::string& bytes = "x") {
     return "";
 }
 
-TEST(AtomicFile, AppearsOnlyWhenCommitted) {
+class AtomicFileBothWays : public testing::TestWithParam<Scratch> {};
+INSTANTIATE_TEST_SUITE_P(, AtomicFileBothWays, testing::Values(Scratch::nameless, Scratch::hidden),
+                         [](const auto& tested) {
+                             return tested.param == Scratch::nameless ? "Nameless" : "Hidden";
+                         });
+
+TEST_P(AtomicFileBothWays, AppearsOnlyWhenCommitted) {
     const TemporaryFolder folder;
     const std::string path = folder / "tree.svg";
-    AtomicFile file(path);
+    AtomicFile file(path, GetParam());
     file.write("<svg/>");
     EXPECT_FALSE(fs::exists(path));
     file.commit();
@@ -56,17 +67,49 @@ TEST(AtomicFile, AppearsOnlyWhenCommitted) {
     EXPECT_EQ(files_in(folder.path()), 1u);
 }
 
-TEST(AtomicFile, WithoutCommitTheOldFileStaysAndNothingElse) {
+TEST_P(AtomicFileBothWays, WithoutCommitTheOldFileStaysAndNothingElse) {
     const TemporaryFolder folder;
     const std::string path = folder / "tree.svg";
     write_whole(path, "old");
     {
-        AtomicFile file(path);
+        AtomicFile file(path, GetParam());
         file.write(std::string(1 << 20, 'x'));
-        EXPECT_EQ(files_in(folder.path()), 2u);
+        EXPECT_EQ(read_whole(path), "old");
     }
     EXPECT_EQ(read_whole(path), "old");
     EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+TEST_P(AtomicFileBothWays, ReplacesAFileThatCameMeanwhile) {
+    const TemporaryFolder folder;
+    AtomicFile file(folder / "tree.svg", GetParam());
+    file.write("new");
+    write_whole(folder / "tree.svg", "old");
+    file.commit();
+    EXPECT_EQ(read_whole(folder / "tree.svg"), "new");
+    EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+// Whether a file without a name can be made in a folder here, and named afterwards.
+bool knows_nameless_files(const std::string& folder) {
+    const int descriptor = ::open(folder.c_str(), O_WRONLY | O_TMPFILE, 0666);
+    if (descriptor >= 0) ::close(descriptor);
+    return descriptor >= 0 && fs::exists("/proc/self/fd");
+}
+
+TEST(AtomicFile, AKilledWriterLeavesNoFile) {
+    const TemporaryFolder folder;
+    if (!knows_nameless_files(folder.path())) GTEST_SKIP() << "files here always have a name";
+    const pid_t child = ::fork();
+    if (child == 0) {
+        AtomicFile file(folder / "tree.svg");
+        file.write(std::string(1 << 20, 'x'));
+        ::kill(::getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(files_in(folder.path()), 0u);
 }
 
 TEST(AtomicFile, KeepsTheOrderOfSmallAndLargePieces) {
@@ -82,10 +125,10 @@ TEST(AtomicFile, KeepsTheOrderOfSmallAndLargePieces) {
     EXPECT_EQ(read_whole(folder / "a"), expected);
 }
 
-TEST(AtomicFile, TwoWritersOfOneNameDoNotMix) {
+TEST_P(AtomicFileBothWays, TwoWritersOfOneNameDoNotMix) {
     const TemporaryFolder folder;
-    AtomicFile first(folder / "a");
-    AtomicFile second(folder / "a");
+    AtomicFile first(folder / "a", GetParam());
+    AtomicFile second(folder / "a", GetParam());
     first.write("first");
     second.write("second");
     first.commit();
@@ -94,14 +137,14 @@ TEST(AtomicFile, TwoWritersOfOneNameDoNotMix) {
     EXPECT_EQ(files_in(folder.path()), 1u);
 }
 
-TEST(AtomicFile, PermissionsAreTheUmasksOrTheReplacedFiles) {
+TEST_P(AtomicFileBothWays, PermissionsAreTheUmasksOrTheReplacedFiles) {
     const TemporaryFolder folder;
     const mode_t before = ::umask(027);
-    write_file(folder / "new", "x");
+    write_file(folder / "new", "x", GetParam());
     ::umask(before);
     EXPECT_EQ(mode_of(folder / "new"), 0640u);
     ::chmod((folder / "new").c_str(), 0755);
-    write_file(folder / "new", "y");
+    write_file(folder / "new", "y", GetParam());
     EXPECT_EQ(mode_of(folder / "new"), 0755u);
 }
 
