@@ -8,6 +8,7 @@
 
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/shell_word.h"
 #include "style/parameter.h"
 #include "style/value.h"
 #include "write/format.h"
@@ -81,18 +82,6 @@ std::string type_of(const CLI::Option& option) {
 
 bool takes_value(const CLI::Option& option) {
     return option.get_expected_max() > 0;
-}
-
-std::string in_single_quotes(const std::string& text) {
-    std::string quoted = "'";
-    for (const char c : text) {
-        if (c == '\'') {
-            quoted += "'\\''";
-        } else {
-            quoted += c;
-        }
-    }
-    return quoted + '\'';
 }
 
 // ---- bash

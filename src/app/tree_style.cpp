@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "app/shell_word.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -21,22 +22,6 @@ constexpr std::size_t kMostSvgBytes = std::size_t{1} << 30;
 
 bool is_picture(const std::string& name) {
     return name.ends_with(".svg") || name.ends_with(".svgz");
-}
-
-// A word as a shell reads it back.
-std::string shell_word(const std::string& word) {
-    constexpr std::string_view kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=+:,%@";
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-    std::string quoted = "'";
-    for (const char c : word) {
-        if (c == '\'') {
-            quoted += "'\\''";
-        } else {
-            quoted += c;
-        }
-    }
-    return quoted + '\'';
 }
 
 std::string changes_text(const TreeOptions& options) {
@@ -63,18 +48,6 @@ TreeStyle read_from_picture(const std::string& file, const Catalogue& catalogue)
     return {read_style(source, catalogue), metadata->command};
 }
 
-TreeStyle read_unchanged(const std::string& name, const Catalogue& catalogue, Console& console) {
-    if (is_picture(name)) return read_from_picture(name, catalogue);
-    SourceText source;
-    if (name == "-") {
-        source = {
-            std::string(std::istreambuf_iterator<char>(console.in), {}), "standard input", {}};
-    } else {
-        source = catalogue.find_style(name);
-    }
-    return {read_style(source, catalogue), "edaha draw " + shell_word(name)};
-}
-
 void change(Style& style, const TreeOptions& options) {
     if (!options.palette.empty()) choose_palette(style, options.palette);
     for (const Setting& setting : options.settings) {
@@ -89,9 +62,20 @@ void change(Style& style, const TreeOptions& options) {
 
 }  // namespace
 
-TreeStyle read_tree_style(const TreeOptions& options, const Catalogue& catalogue,
-                          Console& console) {
-    TreeStyle tree = read_unchanged(options.style, catalogue, console);
+TreeStyle read_unchanged_style(const std::string& name, const Catalogue& catalogue,
+                               Console& console) {
+    if (is_picture(name)) return read_from_picture(name, catalogue);
+    SourceText source;
+    if (name == "-") {
+        source = {
+            std::string(std::istreambuf_iterator<char>(console.in), {}), "standard input", {}};
+    } else {
+        source = catalogue.find_style(name);
+    }
+    return {read_style(source, catalogue), "edaha draw " + shell_word(name)};
+}
+
+TreeStyle change_style(TreeStyle tree, const TreeOptions& options) {
     try {
         change(tree.style, options);
     } catch (const InputError& error) {
@@ -102,6 +86,11 @@ TreeStyle read_tree_style(const TreeOptions& options, const Catalogue& catalogue
     }
     tree.command += changes_text(options);
     return tree;
+}
+
+TreeStyle read_tree_style(const TreeOptions& options, const Catalogue& catalogue,
+                          Console& console) {
+    return change_style(read_unchanged_style(options.style, catalogue, console), options);
 }
 
 double parse_length_mm(const std::string& option, const std::string& text) {

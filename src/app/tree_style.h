@@ -20,6 +20,11 @@ struct TreeStyle {
 // Errors: InputError and IoError for the style, UsageError for the values of options.
 TreeStyle read_tree_style(const TreeOptions& options, const Catalogue& catalogue, Console& console);
 
+// The same in two steps, for those who change one style in many ways.
+TreeStyle read_unchanged_style(const std::string& name, const Catalogue& catalogue,
+                               Console& console);
+TreeStyle change_style(TreeStyle tree, const TreeOptions& options);
+
 // "120mm", "12cm", "5in", "400px", "340pt" in millimetres (CSS: 96 px and 72 pt an inch).
 // Errors: UsageError.
 double parse_length_mm(const std::string& option, const std::string& text);
