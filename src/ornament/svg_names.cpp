@@ -215,8 +215,10 @@ bool is_plain_attribute(std::string_view name) {
 
 std::string meant_element(std::string_view name) {
     std::vector<std::string> known{"use", "switch", "defs", "symbol", "style"};
-    known.insert(known.end(), kShapes.begin(), kShapes.end());
-    known.insert(known.end(), kGroups.begin(), kGroups.end());
+    for (const std::string_view shape : kShapes)
+        known.emplace_back(shape);
+    for (const std::string_view group : kGroups)
+        known.emplace_back(group);
     return did_you_mean(name, known);
 }
 
