@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "write/layered_pdf.h"
 #include "write/pdf.h"
+#include "write/pdf_recipe.h"
 #include "write/svg_metadata.h"
 
 namespace edaha {

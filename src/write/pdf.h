@@ -1,17 +1,36 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <memory>
 #include <string>
 
 #include "drawing/drawing.h"
+#include "write/sink.h"
 
 namespace edaha {
 
-// The drawing as the bytes of a one-page PDF 1.5: true vectors, opacities kept, each layer an
-// optional content group of its name, listed from the top one down as programs show them. Cairo
-// cannot make such groups: it draws each layer as a page of its own, which becomes a form inside
-// the group. Title, description (subject), program and command (keywords) and the recipe are in the
-// document's information; its dates are fixed and its identifier follows from the content: the same
-// drawing, the same bytes. Cost: all layers stand in memory. Errors: IoError.
+// A PDF 1.5 of any number of pages, written page by page: true vectors, opacities kept. Each layer
+// is an optional content group of its label, listed from the top one down as programs show them;
+// pages that have a label in common share the group. Title, description (subject), program, command
+// (keywords) and recipe of `metadata` are in the document's information; its dates are fixed and
+// its identifier follows from the content: the same drawings, the same bytes. Memory: one page's
+// operators. Errors: what `sink` throws.
+class PdfBook {
+  public:
+    PdfBook(Sink sink, const Metadata& metadata);
+    ~PdfBook();
+    PdfBook(PdfBook&&) noexcept;
+
+    void add_page(const Drawing& drawing);
+
+    // Without it, the file is none.
+    void finish();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+// The drawing as the bytes of a PDF of one page.
 std::string pdf_bytes(const Drawing& drawing);
 
 }  // namespace edaha

@@ -7,6 +7,20 @@
 #include "base/number_text.h"
 
 namespace edaha {
+namespace {
+
+void find_scales(const std::vector<Element>& elements, std::vector<double>& scales) {
+    for (const Element& element : elements) {
+        if (const auto* use = std::get_if<Use>(&element)) {
+            double& scale = scales[use->symbol];
+            scale = std::max(scale, largest_scale(use->page_from_symbol));
+        } else if (const auto* group = std::get_if<Group>(&element)) {
+            find_scales(group->children, scales);
+        }
+    }
+}
+
+}  // namespace
 
 int page_decimals(double width_mm, double height_mm) {
     // The finest step that is not below a hundredth of a pixel.
@@ -25,6 +39,19 @@ int decimals_at_scale(int decimals, double scale) {
     for (; scale <= 0.1 && decimals > 0; scale *= 10)
         --decimals;
     return decimals;
+}
+
+std::vector<SymbolPrecision> symbol_precision(const Drawing& drawing, int decimals) {
+    std::vector<double> scales(drawing.symbols.size(), 0);
+    for (const Layer& layer : drawing.layers)
+        find_scales(layer.children, scales);
+    std::vector<SymbolPrecision> precision;
+    for (std::size_t i = 0; i < scales.size(); ++i) {
+        const double scale = scales[i] > 0 ? scales[i] : 1;
+        precision.push_back({decimals_at_scale(decimals, scale),
+                             decimals_at_scale(decimals, extent(drawing.symbols[i]))});
+    }
+    return precision;
 }
 
 double largest_scale(const Affine& map) {

@@ -65,20 +65,12 @@ bool any_stroke(const Symbol& symbol) {
                        [](const Shape& shape) { return strokes(shape.paint); });
 }
 
-// What a symbol's numbers need to be as exact on the page as the page's own.
-struct SymbolPrecision {
-    int points = 0;
-    int matrices = 0;
-};
-
 class SvgWriter {
   public:
     SvgWriter(const Drawing& drawing, const SvgParams& params);
     SvgReport write(const Sink& sink);
 
   private:
-    void find_precision();
-    void find_scales(const std::vector<Element>& elements, std::vector<double>& scales) const;
     bool has_strokes(const std::vector<Element>& elements) const;
 
     void add_root();
@@ -114,32 +106,8 @@ SvgWriter::SvgWriter(const Drawing& drawing, const SvgParams& params)
       params_(params),
       decimals_(params.decimals == SvgParams::kAutomatic
                     ? page_decimals(drawing.width_mm, drawing.height_mm)
-                    : std::clamp(params.decimals, 0, kMostDecimals)) {
-    find_precision();
-}
-
-void SvgWriter::find_precision() {
-    std::vector<double> scales(drawing_.symbols.size(), 0);
-    for (const Layer& layer : drawing_.layers)
-        find_scales(layer.children, scales);
-    for (std::size_t i = 0; i < scales.size(); ++i) {
-        const double scale = scales[i] > 0 ? scales[i] : 1;
-        precision_.push_back({decimals_at_scale(decimals_, scale),
-                              decimals_at_scale(decimals_, extent(drawing_.symbols[i]))});
-    }
-}
-
-void SvgWriter::find_scales(const std::vector<Element>& elements,
-                            std::vector<double>& scales) const {
-    for (const Element& element : elements) {
-        if (const auto* use = std::get_if<Use>(&element)) {
-            double& scale = scales[use->symbol];
-            scale = std::max(scale, largest_scale(use->page_from_symbol));
-        } else if (const auto* group = std::get_if<Group>(&element)) {
-            find_scales(group->children, scales);
-        }
-    }
-}
+                    : std::clamp(params.decimals, 0, kMostDecimals)),
+      precision_(symbol_precision(drawing, decimals_)) {}
 
 bool SvgWriter::has_strokes(const std::vector<Element>& elements) const {
     return std::any_of(elements.begin(), elements.end(), [&](const Element& element) {

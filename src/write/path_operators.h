@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+#include "geometry/path.h"
+
+namespace edaha {
+
+// Appends a path as PDF's construction operators (32000-1, 8.5.2): m, l, c, v, y and h. Every point
+// is rounded to `decimals`, as in the SVG; what rounds to nothing is left out, as there
+// (path_text.h). False, and nothing is appended, if all of it is.
+bool append_path_operators(std::string& text, const Path& path, int decimals);
+
+// "a b c d e f cm\n": the linear part with `fine` decimals, the shift with `coarse` ones.
+void append_map_operator(std::string& text, const Affine& map, int fine, int coarse);
+
+}  // namespace edaha
