@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "write/canvas.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include <cairo-pdf.h>
-#include <cairo-ps.h>
 #include <cairo.h>
 
 #include "base/error.h"
@@ -25,19 +22,10 @@ void require(cairo_status_t status) {
     }
 }
 
-// `ink` laid over `paper`.
-Colour mixed(Colour ink, Colour paper, float opacity) {
-    const auto mix = [&](std::uint8_t a, std::uint8_t b) {
-        return static_cast<std::uint8_t>(std::lround(b + (a - b) * static_cast<double>(opacity)));
-    };
-    return {mix(ink.r, paper.r), mix(ink.g, paper.g), mix(ink.b, paper.b)};
-}
-
 // Draws elements on a context, with the rules of Paint.
 class Brush {
   public:
-    Brush(cairo_t* context, const Drawing& drawing, const std::optional<Colour>& paper)
-        : context_(context), drawing_(drawing), paper_(paper) {}
+    Brush(cairo_t* context, const Drawing& drawing) : context_(context), drawing_(drawing) {}
 
     void draw(const std::vector<Element>& elements, const InheritedPaint& parent);
 
@@ -49,7 +37,6 @@ class Brush {
 
     cairo_t* context_;
     const Drawing& drawing_;
-    std::optional<Colour> paper_;
 };
 
 void Brush::draw(const std::vector<Element>& elements, const InheritedPaint& parent) {
@@ -70,16 +57,8 @@ void Brush::draw(const Use& use, const InheritedPaint& parent) {
     const cairo_matrix_t matrix{map[0].x, map[0].y, map[1].x, map[1].y, map[2].x, map[2].y};
     cairo_save(context_);
     cairo_transform(context_, &matrix);
-    const std::optional<Colour> paper = paper_;
-    for (const Shape& shape : drawing_.symbols[use.symbol].shapes) {
-        const InheritedPaint paint = inherit(parent, shape.paint);
-        draw(shape, paint);
-        // What comes next (veins, a shine) lies on the blade: it is mixed with that.
-        if (paper && paper_ == paper && paint.fill) {
-            paper_ = mixed(*paint.fill, *paper, paint.fill_opacity);
-        }
-    }
-    paper_ = paper;
+    for (const Shape& shape : drawing_.symbols[use.symbol].shapes)
+        draw(shape, inherit(parent, shape.paint));
     cairo_restore(context_);
 }
 
@@ -118,10 +97,6 @@ void Brush::add_path(const Path& path) {
 }
 
 void Brush::set_ink(Colour colour, float opacity) {
-    if (paper_) {
-        colour = mixed(colour, *paper_, opacity);
-        opacity = 1;
-    }
     // Opacities to the three decimals of the SVG, so that all formats are the same.
     const double alpha = std::round(static_cast<double>(opacity) * 1000) / 1000;
     cairo_set_source_rgba(context_, colour.r / 255.0, colour.g / 255.0, colour.b / 255.0, alpha);
@@ -130,7 +105,6 @@ void Brush::set_ink(Colour colour, float opacity) {
 }  // namespace
 
 struct Canvas::State {
-    Kind kind;
     std::string bytes;
     cairo_surface_t* surface = nullptr;
     cairo_t* context = nullptr;
@@ -141,20 +115,9 @@ struct Canvas::State {
     }
 };
 
-Canvas::Canvas(Kind kind, double width, double height) : state_(std::make_unique<State>()) {
+Canvas::Canvas(int width, int height) : state_(std::make_unique<State>()) {
     State& state = *state_;
-    state.kind = kind;
-    if (kind == Kind::picture) {
-        state.surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(width),
-                                                   static_cast<int>(height));
-    } else if (kind == Kind::pdf) {
-        state.surface =
-            cairo_pdf_surface_create_for_stream(append_bytes, &state.bytes, width, height);
-    } else {
-        state.surface =
-            cairo_ps_surface_create_for_stream(append_bytes, &state.bytes, width, height);
-        cairo_ps_surface_set_eps(state.surface, 1);
-    }
+    state.surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
     require(cairo_surface_status(state.surface));
     state.context = cairo_create(state.surface);
     cairo_set_line_cap(state.context, CAIRO_LINE_CAP_ROUND);
@@ -169,22 +132,17 @@ void Canvas::paint_background(Colour colour) {
     cairo_paint(state_->context);
 }
 
-void Canvas::draw(const Drawing& drawing, const Layer& layer, double scale,
-                  const std::optional<Colour>& paper) {
+void Canvas::draw(const Drawing& drawing, const Layer& layer, double scale) {
     cairo_save(state_->context);
     cairo_scale(state_->context, scale, scale);
-    Brush(state_->context, drawing, paper).draw(layer.children, inherit({}, layer.paint));
+    Brush(state_->context, drawing).draw(layer.children, inherit({}, layer.paint));
     cairo_restore(state_->context);
 }
 
 std::string Canvas::finish() {
     State& state = *state_;
     require(cairo_status(state.context));
-    if (state.kind == Kind::picture) {
-        require(cairo_surface_write_to_png_stream(state.surface, append_bytes, &state.bytes));
-    } else {
-        cairo_show_page(state.context);
-    }
+    require(cairo_surface_write_to_png_stream(state.surface, append_bytes, &state.bytes));
     cairo_surface_finish(state.surface);
     require(cairo_surface_status(state.surface));
     return std::move(state.bytes);

@@ -6,6 +6,8 @@
 
 namespace edaha {
 
+inline constexpr double kPointsPerMm = 72 / 25.4;
+
 // Appends a path as PDF's construction operators (32000-1, 8.5.2): m, l, c, v, y and h. Every point
 // is rounded to `decimals`, as in the SVG; what rounds to nothing is left out, as there
 // (path_text.h). False, and nothing is appended, if all of it is.

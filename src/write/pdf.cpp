@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "write/path_operators.h"
 #include "write/pdf_content.h"
 #include "write/pdf_objects.h"
 #include "write/pdf_recipe.h"

@@ -14,8 +14,6 @@ struct PdfContent {
     std::set<std::string> states;
 };
 
-inline constexpr double kPointsPerMm = 72 / 25.4;
-
 // The drawing's layers, each marked as optional content, in millimetres with the decimals of the
 // SVG: the same geometry.
 //   An instance is its map and then its symbol's operators, letter for letter the same every time:

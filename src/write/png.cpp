@@ -93,7 +93,7 @@ std::string png_bytes(const Drawing& drawing, const PngParams& params) {
         throw IoError(fmt::format("a picture of {:.0f} x {:.0f} pixels has a side above {} pixels",
                                   width, height, kMostSide));
     }
-    Canvas canvas(Canvas::Kind::picture, width, height);
+    Canvas canvas(static_cast<int>(width), static_cast<int>(height));
     if (params.background) canvas.paint_background(*params.background);
     for (const Layer& layer : drawing.layers)
         canvas.draw(drawing, layer, scale);

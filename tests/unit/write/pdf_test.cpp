@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "write/pdf.h"
 
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -76,6 +77,83 @@ TEST(Pdf, ADrawingWithoutLayersIsAnEmptyPage) {
     const auto result = test::run("pdfinfo " + quoted(folder / "a.pdf"));
     EXPECT_EQ(result.err, "");
     EXPECT_NE(result.out.find("Page size:       72 x 72 pts"), std::string::npos) << result.out;
+}
+
+// A square of 18 points' side, on whole points.
+Layer square(const std::string& label, Colour colour, int column) {
+    constexpr double kSide = 6.35;
+    Layer layer{label, {}, {}};
+    layer.paint.fill = colour;
+    const double left = column * kSide, right = left + kSide;
+    Path path;
+    path.move_to({left, kSide}), path.line_to({right, kSide});
+    path.line_to({right, 2 * kSide}), path.line_to({left, 2 * kSide}), path.close();
+    layer.children.emplace_back(Shape{"", path, {}});
+    return layer;
+}
+
+Drawing page_of(std::vector<Layer> layers, double width_mm = 25.4) {
+    Drawing drawing;
+    drawing.width_mm = width_mm;
+    drawing.height_mm = 25.4;
+    drawing.layers = std::move(layers);
+    return drawing;
+}
+
+std::string book_of(const std::vector<Drawing>& pages) {
+    std::string bytes;
+    PdfBook book([&](std::string_view piece) { bytes += piece; }, {});
+    for (const Drawing& page : pages)
+        book.add_page(page);
+    book.finish();
+    return bytes;
+}
+
+TEST(PdfBook, EachPageHasItsOwnSizeAndPicture) {
+    const Drawing first = page_of({square("Wood", {120, 80, 60}, 1)});
+    const Drawing second = page_of({square("Leaves", {60, 160, 60}, 3)}, 50.8);
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "a.pdf";
+    test::write_whole(file, book_of({first, second}));
+    const auto sizes = test::run("pdfinfo -l 2 " + quoted(file));
+    EXPECT_EQ(sizes.err, "");
+    for (const char* line : {"Pages:           2\n", "Page    1 size:  72 x 72 pts\n",
+                             "Page    2 size:  144 x 72 pts\n"}) {
+        EXPECT_NE(sizes.out.find(line), std::string::npos) << line << sizes.out;
+    }
+    const auto shown =
+        test::run("pdftoppm -r 72 -png " + quoted(file) + ' ' + quoted(folder / "p"));
+    EXPECT_EQ(shown.out + shown.err, "");
+    test::write_whole(folder / "1.png", png_bytes(first, {.dpi = 72}));
+    test::write_whole(folder / "2.png", png_bytes(second, {.dpi = 72}));
+    EXPECT_LT(test::compare_images(folder / "1.png", folder / "p-1.png").inked_mean, 0.01);
+    EXPECT_LT(test::compare_images(folder / "2.png", folder / "p-2.png").inked_mean, 0.01);
+}
+
+TEST(PdfBook, PagesShareTheLayersTheyHaveInCommon) {
+    const Layer paper = square("Paper", {250, 240, 230}, 0);
+    const Layer wood = square("Wood", {120, 80, 60}, 1);
+    const Layer leaves = square("Leaves", {60, 160, 60}, 2);
+    const Layer ground = square("Ground", {200, 190, 160}, 3);
+    const std::string bytes =
+        book_of({page_of({paper, wood}), page_of({wood, leaves}), page_of({paper, ground, wood})});
+    EXPECT_EQ(test::pdf_layers(bytes),
+              (std::vector<std::string>{"Leaves", "Wood", "Ground", "Paper"}));
+}
+
+TEST(PdfBook, TheSamePagesAreTheSameBytes) {
+    const Drawing drawing = test::sample_drawing();
+    const std::string bytes = book_of({drawing, drawing, drawing});
+    EXPECT_TRUE(bytes == book_of({drawing, drawing, drawing}));
+    EXPECT_FALSE(bytes == book_of({drawing, drawing}));
+}
+
+// An instance costs its map: the packer finds the rest said before.
+TEST(Pdf, InstancesAreSmall) {
+    const std::size_t few = pdf_bytes(test::field_drawing(0, 100)).size();
+    const std::size_t many = pdf_bytes(test::field_drawing(0, 2100)).size();
+    EXPECT_LT(many - few, 2000U * 60);
+    EXPECT_GT(many - few, 2000U * 8);
 }
 
 }  // namespace

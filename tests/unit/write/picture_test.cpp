@@ -81,7 +81,7 @@ TEST(Eps, BoxIsThePageAndThereIsNoDate) {
                          "?)\n"
                          "%%Creator: (edaha 0.1.0)\n"
                          "%%BoundingBox: 0 0 341 284\n"
-                         "%%HiResBoundingBox: 0 .5354 340.1575 284\n"),
+                         "%%HiResBoundingBox: 0 0 340.1575 283.4646\n"),
               0u)
         << bytes.substr(0, 300);
     EXPECT_EQ(bytes.find("Date"), std::string::npos);
@@ -104,6 +104,13 @@ TEST(Eps, TranslucentInksAreMixedWithThePaper) {
                   quoted(folder / "a.png") + ' ' + quoted(folder / "a.eps"));
     EXPECT_EQ(result.out + result.err, "");
     EXPECT_EQ(identify(test::read_whole(folder / "a.png"), "%[pixel:p{9,9}]"), "srgb(100,150,100)");
+}
+
+// A symbol is a procedure, written once: an instance costs its map, and no more than that.
+TEST(Eps, InstancesAreSmall) {
+    const std::size_t few = eps_bytes(test::field_drawing(0, 100), {}).size();
+    const std::size_t many = eps_bytes(test::field_drawing(0, 2100), {}).size();
+    EXPECT_LT(many - few, 2000U * 70);
 }
 
 }  // namespace
