@@ -75,11 +75,6 @@ void add_manuals(CLI::App& app, Options& options) {
     man.footer("Example:\n  edaha man | man -l -");
 }
 
-std::string did_you_mean(const std::string& wrong, const std::vector<std::string>& known) {
-    const auto nearest = nearest_name(wrong, known);
-    return nearest ? " (did you mean '" + *nearest + "'?)" : "";
-}
-
 std::string how_to_go_on(const CLI::App& app) {
     return fmt::format("\nTry '{}{} --help'.", app.get_parent() != nullptr ? "edaha " : "",
                        app.get_name());

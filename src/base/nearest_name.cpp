@@ -53,4 +53,9 @@ std::optional<std::string> nearest_name(std::string_view wrong,
     return nearest;
 }
 
+std::string did_you_mean(std::string_view wrong, const std::vector<std::string>& known) {
+    const auto nearest = nearest_name(wrong, known);
+    return nearest ? " (did you mean '" + *nearest + "'?)" : "";
+}
+
 }  // namespace edaha

@@ -182,11 +182,6 @@ const LostProperty* find_lost(std::string_view name) {
     return found == kLostProperties.end() ? nullptr : &*found;
 }
 
-std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
-    const std::optional<std::string> meant = nearest_name(name, known);
-    return meant ? " (did you mean '" + *meant + "'?)" : "";
-}
-
 }  // namespace
 
 ElementRole element_role(std::string_view name) {

@@ -11,54 +11,13 @@
 #include "base/locate.h"
 #include "base/nearest_name.h"
 #include "style/value.h"
+#include "style/xml_syntax.h"
 #include "style/xml_text.h"
 
 namespace edaha {
 namespace {
 
-// Nothing that XML can hold is dropped by the reader without our seeing it, but white space.
-constexpr unsigned kParseAll = pugi::parse_default | pugi::parse_fragment | pugi::parse_doctype |
-                               pugi::parse_pi | pugi::parse_declaration | pugi::parse_comments;
-
 constexpr std::size_t kMostPalettes = 100;
-
-const char* syntax_error(pugi::xml_parse_status status) {
-    switch (status) {
-        case pugi::status_bad_pi:
-            return "broken processing instruction or declaration";
-        case pugi::status_bad_comment:
-            return "comment without end";
-        case pugi::status_bad_cdata:
-            return "CDATA without end";
-        case pugi::status_bad_doctype:
-            return "broken document type";
-        case pugi::status_bad_pcdata:
-            return "broken text";
-        case pugi::status_bad_start_element:
-            return "broken start tag";
-        case pugi::status_bad_attribute:
-            return "broken attribute";
-        case pugi::status_bad_end_element:
-            return "broken end tag";
-        case pugi::status_end_element_mismatch:
-            return "a start tag and an end tag do not match";
-        default:
-            return "broken tag";
-    }
-}
-
-std::string did_you_mean(std::string_view wrong, const std::vector<std::string>& known) {
-    const auto nearest = nearest_name(wrong, known);
-    return nearest ? " (did you mean '" + *nearest + "'?)" : "";
-}
-
-bool is_utf8_name(std::string_view encoding) {
-    std::string lower;
-    std::ranges::transform(encoding, std::back_inserter(lower), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return lower == "utf-8" || lower == "utf8";
-}
 
 class SheetReader {
   public:
@@ -109,10 +68,10 @@ class SheetReader {
     void read_document() {
         pugi::xml_document document;
         const pugi::xml_parse_result result =
-            document.load_buffer(text_.data(), text_.size(), kParseAll, pugi::encoding_utf8);
+            document.load_buffer(text_.data(), text_.size(), kParseAllXml, pugi::encoding_utf8);
         if (!result) {
             say(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)),
-                fmt::format("malformed XML: {}", syntax_error(result.status)));
+                fmt::format("malformed XML: {}", xml_syntax_error(result.status)));
             return;
         }
         pugi::xml_node tree;
@@ -140,7 +99,7 @@ class SheetReader {
 
     void check_encoding(pugi::xml_node declaration) {
         const pugi::xml_attribute encoding = declaration.attribute("encoding");
-        if (!encoding || is_utf8_name(encoding.value())) return;
+        if (!encoding || is_utf8(encoding.value())) return;
         say(offset_of(declaration), fmt::format("the encoding {} is not read (expected UTF-8)",
                                                 in_quotes(encoding.value())));
     }
