@@ -32,6 +32,18 @@ void add_draw(CLI::App& app, Options& options) {
         "  edaha draw oak.svg --palette dark -o dark.svg");
 }
 
+void add_gallery(CLI::App& app, Options& options) {
+    CLI::App& gallery = *app.add_subcommand(
+        "gallery", "draw the pictures that gallery.xml names, and write their pages");
+    add_text(gallery, "FILE", options.gallery.file, "",
+             "what the gallery holds; gallery/gallery.xml if left out");
+    gallery.add_flag("--check", options.gallery.check,
+                     "write nothing; name what is not as it would be drawn");
+    add_text(gallery, "--jobs", options.gallery.jobs, "N", "pictures at a time; all processors");
+    add_json(gallery, options);
+    gallery.footer("Examples:\n  edaha gallery\n  edaha gallery --check docs/gallery.xml");
+}
+
 void add_measure(CLI::App& app, Options& options) {
     CLI::App& measure = *app.add_subcommand("measure", "measure the tree that would be drawn");
     add_tree(measure, options.tree);
@@ -143,6 +155,7 @@ std::shared_ptr<CLI::App> define_command_line(Options& options) {
     app->set_help_flag("-h,--help", "print help");
     app->require_subcommand(1);
     add_draw(*app, options);
+    add_gallery(*app, options);
     add_measure(*app, options);
     add_lists(*app, options);
     add_check(*app, options);

@@ -13,7 +13,7 @@ const LeafShelf::Entry& LeafShelf::find(const std::string& name) {
     const std::scoped_lock lock(mutex_);
     const auto known = entries_.find(name);
     if (known != entries_.end()) return known->second;
-    const SourceText source = catalogue_.find_leaf(name);
+    const SourceText source = catalogue_.find_leaf(resolve_leaf(name, folder_));
     Fingerprint fingerprint;
     fingerprint.add(source.text);
     Entry entry{read_leaf(source.text, source.origin), fingerprint.text()};

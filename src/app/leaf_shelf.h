@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "app/pipeline.h"
 #include "style/catalogue.h"
@@ -13,8 +15,9 @@ namespace edaha {
 // Errors of all calls: InputError and IoError, as for the drawing itself.
 class LeafShelf {
   public:
-    // The catalogue must live as long as this.
-    explicit LeafShelf(const Catalogue& catalogue) : catalogue_(catalogue) {}
+    // The catalogue must live as long as this. Relative paths begin at `folder`.
+    explicit LeafShelf(const Catalogue& catalogue, std::filesystem::path folder = {})
+        : catalogue_(catalogue), folder_(std::move(folder)) {}
     LeafShelf(const LeafShelf&) = delete;
     LeafShelf& operator=(const LeafShelf&) = delete;
 
@@ -32,6 +35,7 @@ class LeafShelf {
     const Entry& find(const std::string& name);
 
     const Catalogue& catalogue_;
+    std::filesystem::path folder_;
     std::mutex mutex_;
     std::map<std::string, Entry> entries_;  // which never move
 };

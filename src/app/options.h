@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/gallery/gallery_options.h"
+
 namespace edaha {
 
 // The command line as it was written, before it means anything.
@@ -36,6 +38,7 @@ struct WriteOptions {
 struct Options {
     TreeOptions tree;
     WriteOptions write;
+    GalleryOptions gallery;
     std::string output;
     std::string format;
     std::string topic;               // of explain

@@ -39,6 +39,10 @@ std::string changes_text(const TreeOptions& options) {
     return text;
 }
 
+std::string draw_command(const std::string& style) {
+    return "edaha draw " + shell_word(style);
+}
+
 TreeStyle read_from_picture(const std::string& file, const Catalogue& catalogue) {
     const auto metadata = read_svg_metadata(read_file(file, kMostSvgBytes));
     if (!metadata || metadata->style_xml.empty()) {
@@ -72,7 +76,7 @@ TreeStyle read_unchanged_style(const std::string& name, const Catalogue& catalog
     } else {
         source = catalogue.find_style(name);
     }
-    return {read_style(source, catalogue), "edaha draw " + shell_word(name)};
+    return {read_style(source, catalogue), draw_command(name)};
 }
 
 TreeStyle change_style(TreeStyle tree, const TreeOptions& options) {
@@ -91,6 +95,18 @@ TreeStyle change_style(TreeStyle tree, const TreeOptions& options) {
 TreeStyle read_tree_style(const TreeOptions& options, const Catalogue& catalogue,
                           Console& console) {
     return change_style(read_unchanged_style(options.style, catalogue, console), options);
+}
+
+TreeStyle read_style_beside(const std::string& name, const std::filesystem::path& folder,
+                            const Catalogue& catalogue) {
+    const SourceText source = catalogue.find_style(name, folder);
+    Style style = read_style(source, catalogue);
+    for (OrnamentParams* ornament : {&style.leaf, &style.blossom, &style.fruit}) {
+        const std::filesystem::path shape = ornament->shape;
+        if (folder.empty() || source.folder.empty() || !shape.has_parent_path()) continue;
+        ornament->shape = shape.lexically_proximate(folder).lexically_normal().generic_string();
+    }
+    return {std::move(style), draw_command(name)};
 }
 
 double parse_length_mm(const std::string& option, const std::string& text) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <string>
 
 #include "app/console.h"
@@ -24,6 +25,12 @@ TreeStyle read_tree_style(const TreeOptions& options, const Catalogue& catalogue
 TreeStyle read_unchanged_style(const std::string& name, const Catalogue& catalogue,
                                Console& console);
 TreeStyle change_style(TreeStyle tree, const TreeOptions& options);
+
+// The style that a file in `folder` calls `name`: one of the catalogue, or a style file. Command
+// and leaf drawings are as seen from there, wherever the program runs. Errors: InputError and
+// IoError.
+TreeStyle read_style_beside(const std::string& name, const std::filesystem::path& folder,
+                            const Catalogue& catalogue);
 
 // "120mm", "12cm", "5in", "400px", "340pt" in millimetres (CSS: 96 px and 72 pt an inch).
 // Errors: UsageError.

@@ -116,9 +116,14 @@ std::vector<Problem> XmlProblems::sorted() const {
     std::vector<Found> found = found_;
     std::ranges::stable_sort(found, {}, &Found::offset);
     std::vector<Problem> problems;
+    const auto add = [&](const Problem& problem) {
+        const std::string line = to_string(problem);
+        const auto is_same = [&](const Problem& other) { return to_string(other) == line; };
+        if (std::ranges::none_of(problems, is_same)) problems.push_back(problem);
+    };
     for (const Found& each : found)
-        problems.push_back({place_of_offset(text_, each.offset, origin_), each.message});
-    problems.insert(problems.end(), others_.begin(), others_.end());
+        add({place_of_offset(text_, each.offset, origin_), each.message});
+    std::ranges::for_each(others_, add);
     return problems;
 }
 

@@ -39,7 +39,7 @@ class XmlProblems {
         others_.insert(others_.end(), of_another_file.begin(), of_another_file.end());
     }
 
-    // In the order of the text, then those of other files.
+    // Each once, in the order of the text, then those of other files.
     std::vector<Problem> sorted() const;
 
   private:

@@ -3,40 +3,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "support/run.h"
+#include "cli/program.h"
 
 namespace edaha {
 namespace {
 
-using test::run;
 using test::RunResult;
 
-// Each test runs the program in an empty folder of its own, which is also its home.
-class Binary : public testing::Test {
-  protected:
-    // By /bin/sh, in the folder; `edaha` in the line is the program.
-    RunResult sh(const std::string& line) const {
-        return run("cd " + test::quoted(folder_.path()) +
-                   " && unset XDG_DATA_HOME && export HOME=\"$PWD\" && "
-                   "edaha() { " EDAHA_BINARY " \"$@\"; } && " +
-                   line);
-    }
-
-    void write(const std::string& name, const std::string& text) const {
-        test::write_whole(folder_ / name, text);
-    }
-    bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
-
-    void expect(const std::string& line, int code, const std::string& out,
-                const std::string& err) const {
-        const RunResult result = sh(line);
-        EXPECT_EQ(result.exit_code, code) << line;
-        EXPECT_EQ(result.out, out) << line;
-        EXPECT_EQ(result.err, err) << line;
-    }
-
-    test::TemporaryFolder folder_;
-};
+class Binary : public test::Program {};
 
 constexpr const char* kSapling = "<tree name='sapling'><growth energy='20'/></tree>";
 

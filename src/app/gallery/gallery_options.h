@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+namespace edaha {
+
+// Of `edaha gallery`, as they were written.
+struct GalleryOptions {
+    std::string file = "gallery/gallery.xml";
+    std::string jobs;
+    bool check = false;
+};
+
+}  // namespace edaha
