@@ -5,6 +5,7 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 
 namespace edaha {
 namespace {
@@ -54,6 +55,69 @@ std::uint64_t write_digits_before(char* end, std::uint64_t number, int count) {
     return low;
 }
 
+// The two digits of 0 to 99, and with how many zeros they end.
+struct DigitPairs {
+    char text[100][2] = {};
+    std::uint8_t zeros[100] = {};
+
+    constexpr DigitPairs() {
+        for (unsigned i = 0; i < 100; ++i) {
+            text[i][0] = static_cast<char>('0' + i / 10);
+            text[i][1] = static_cast<char>('0' + i % 10);
+            zeros[i] = i == 0 ? 2 : i % 10 == 0;
+        }
+    }
+};
+
+constexpr DigitPairs kPairs;
+
+char* write_pair(char* out, std::uint32_t number) {
+    std::memcpy(out, kPairs.text[number], 2);
+    return out + 2;
+}
+
+// Below 10000, without leading zeros.
+char* write_whole(char* out, std::uint32_t number) {
+    if (number >= 1000) return write_pair(write_pair(out, number / 100), number % 100);
+    if (number >= 100) {
+        *out = static_cast<char>('0' + number / 100);
+        return write_pair(out + 1, number % 100);
+    }
+    if (number >= 10) return write_pair(out, number);
+    *out = static_cast<char>('0' + number);
+    return out + 1;
+}
+
+struct Halves {
+    std::uint32_t whole, rest;  // the rest in units of 10^-4
+};
+
+// A case each, so that every divisor is known to the compiler.
+Halves halves(std::uint32_t magnitude, int decimals) {
+    switch (decimals) {
+        case 0:
+            return {magnitude, 0};
+        case 1:
+            return {magnitude / 10, magnitude % 10 * 1000};
+        case 2:
+            return {magnitude / 100, magnitude % 100 * 100};
+        case 3:
+            return {magnitude / 1000, magnitude % 1000 * 10};
+        default:
+            return {magnitude / 10000, magnitude % 10000};
+    }
+}
+
+// What nearly all numbers of a picture are: at most four decimals, and four digits before them.
+char* write_small(char* out, Halves number) {
+    if (number.whole != 0 || number.rest == 0) out = write_whole(out, number.whole);
+    if (number.rest == 0) return out;
+    const std::uint32_t high = number.rest / 100, low = number.rest % 100;
+    *out = '.';
+    write_pair(write_pair(out + 1, high), low);
+    return out + 5 - (low != 0 ? kPairs.zeros[low] : 2 + kPairs.zeros[high]);
+}
+
 }  // namespace
 
 std::int64_t to_units(double value, int decimals) {
@@ -71,6 +135,10 @@ std::int64_t to_units(double value, int decimals) {
 char* write_units(char* out, std::int64_t units, int decimals) {
     if (units < 0) *out++ = '-';
     auto magnitude = static_cast<std::uint64_t>(units < 0 ? -units : units);
+    if (decimals <= 4 && magnitude <= 0xffffffff) {
+        const Halves number = halves(static_cast<std::uint32_t>(magnitude), decimals);
+        if (number.whole < 10000) return write_small(out, number);
+    }
     while (decimals > 0 && magnitude % 10 == 0) {
         magnitude /= 10;
         --decimals;

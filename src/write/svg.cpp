@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <pugixml.hpp>
@@ -24,8 +25,8 @@ namespace {
 
 constexpr int kOpacityDecimals = 3;  // finer than the 1/255 of a screen
 
-void set(pugi::xml_node node, const char* name, const std::string& value) {
-    node.append_attribute(name).set_value(value.c_str(), value.size());
+void set(pugi::xml_node node, const char* name, std::string_view value) {
+    node.append_attribute(name).set_value(value.data(), value.size());
 }
 
 std::string hex(const std::optional<Colour>& colour) {
@@ -39,21 +40,41 @@ std::string hex(const std::optional<Colour>& colour) {
     return text;
 }
 
+// An attribute's text, made in place: there are as many as leaves.
+struct TransformText {
+    char text[16 + 6 * (kLongestNumber + 1)];
+    std::size_t size = 0;
+
+    std::string_view view() const { return {text, size}; }
+};
+
 // matrix() with `fine` decimals for its linear part and `coarse` ones for the shift, or translate()
 // where that says the same; empty for the identity. Numbers are parted by blanks throughout: the
 // grammar of SVG 1.1 asks for them here, other than in path data.
-std::string transform_text(const Affine& map, int fine, int coarse) {
-    std::string linear;
-    for (const double number : {map[0].x, map[0].y, map[1].x, map[1].y}) {
-        append_number(linear, number, fine);
-        linear += ' ';
+TransformText transform_text(const Affine& map, int fine, int coarse) {
+    const std::int64_t one = to_units(1, fine);
+    const std::int64_t linear[4] = {to_units(map[0].x, fine), to_units(map[0].y, fine),
+                                    to_units(map[1].x, fine), to_units(map[1].y, fine)};
+    const std::int64_t right = to_units(map[2].x, coarse), down = to_units(map[2].y, coarse);
+    const bool only_shifts =
+        linear[0] == one && linear[1] == 0 && linear[2] == 0 && linear[3] == one;
+    TransformText result;
+    if (only_shifts && right == 0 && down == 0) return result;
+    const std::string_view name = only_shifts ? "translate(" : "matrix(";
+    char* end = std::copy(name.begin(), name.end(), result.text);
+    for (const std::int64_t number : linear) {
+        if (only_shifts) break;
+        end = write_units(end, number, fine);
+        *end++ = ' ';
     }
-    std::string shift = number_text(map[2].x, coarse);
-    const std::string down = number_text(map[2].y, coarse);
-    const bool only_shifts = linear == "1 0 0 1 ";
-    if (!only_shifts || down != "0") shift += ' ' + down;
-    if (!only_shifts) return "matrix(" + linear + shift + ')';
-    return shift == "0" ? "" : "translate(" + shift + ')';
+    end = write_units(end, right, coarse);
+    if (!only_shifts || down != 0) {
+        *end++ = ' ';
+        end = write_units(end, down, coarse);
+    }
+    *end++ = ')';
+    result.size = static_cast<std::size_t>(end - result.text);
+    return result;
 }
 
 bool strokes(const Paint& paint) {
@@ -95,6 +116,7 @@ class SvgWriter {
     const SvgParams& params_;
     int decimals_;
     std::vector<SymbolPrecision> precision_;
+    std::vector<std::string> references_;  // to the symbols: "#leaf"
     pugi::xml_document document_;
     pugi::xml_node svg_;
     std::string data_;  // of one path, reused
@@ -107,7 +129,10 @@ SvgWriter::SvgWriter(const Drawing& drawing, const SvgParams& params)
       decimals_(params.decimals == SvgParams::kAutomatic
                     ? page_decimals(drawing.width_mm, drawing.height_mm)
                     : std::clamp(params.decimals, 0, kMostDecimals)),
-      precision_(symbol_precision(drawing, decimals_)) {}
+      precision_(symbol_precision(drawing, decimals_)) {
+    for (const Symbol& symbol : drawing.symbols)
+        references_.push_back('#' + symbol.id);
+}
 
 bool SvgWriter::has_strokes(const std::vector<Element>& elements) const {
     return std::any_of(elements.begin(), elements.end(), [&](const Element& element) {
@@ -252,11 +277,11 @@ void SvgWriter::add_group(pugi::xml_node parent, const Group& group,
 
 void SvgWriter::add_use(pugi::xml_node parent, const Use& use, const InheritedPaint& inherited) {
     pugi::xml_node node = parent.append_child("use");
-    set(node, "xlink:href", '#' + drawing_.symbols[use.symbol].id);
-    const std::string transform =
+    set(node, "xlink:href", references_[use.symbol]);
+    const TransformText transform =
         transform_text(use.page_from_symbol, precision_[use.symbol].matrices, decimals_);
-    if (!transform.empty()) set(node, "transform", transform);
-    add_paint(node, inherit(inherited, use.paint), inherited);
+    if (transform.size > 0) set(node, "transform", transform.view());
+    if (use.paint != Paint{}) add_paint(node, inherit(inherited, use.paint), inherited);
 }
 
 void SvgWriter::add_expanded(pugi::xml_node parent, const Use& use,
@@ -280,7 +305,7 @@ void SvgWriter::add_expanded(pugi::xml_node parent, const Use& use,
 void SvgWriter::add_shape(pugi::xml_node parent, const Shape& shape,
                           const InheritedPaint& inherited) {
     pugi::xml_node path = add_path(parent, shape.id, shape.path, decimals_);
-    if (path) add_paint(path, inherit(inherited, shape.paint), inherited);
+    if (path && shape.paint != Paint{}) add_paint(path, inherit(inherited, shape.paint), inherited);
 }
 
 // Returns the node that takes the paint; none if nothing remains of the path.
