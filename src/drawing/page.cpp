@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "drawing/ink_box.h"
 
 namespace edaha {
@@ -28,8 +27,9 @@ void move(Element& element, const Affine& map, double scale) {
 }
 
 void move(std::vector<Element>& elements, const Affine& map, double scale) {
-    tbb::parallel_for(std::size_t{0}, elements.size(),
-                      [&](std::size_t i) { move(elements[i], map, scale); });
+    constexpr std::size_t kWorthThreads = 4096;  // a tenth of a millisecond
+    for_each_index(elements.size(), kWorthThreads,
+                   [&](std::size_t i) { move(elements[i], map, scale); });
 }
 
 Layer background(const Drawing& drawing, Colour paper) {

@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include <tbb/parallel_for.h>
-
+#include "base/parallel.h"
 #include "energy/bark.h"
 #include "energy/outline.h"
 #include "geometry/unite.h"
@@ -20,8 +19,9 @@ constexpr double kTwigShare = 0.16;
 std::vector<Path> all_outlines(const Limbs& limbs, const LookParams& look) {
     std::vector<Path> paths(limbs.limbs.size());
     if (look.wood == Look::line) return paths;
-    tbb::parallel_for(std::size_t{0}, paths.size(),
-                      [&](std::size_t i) { paths[i] = outline(limbs, limbs.limbs[i], look); });
+    constexpr std::size_t kWorthThreads = 1024;  // some milliseconds
+    for_each_index(paths.size(), kWorthThreads,
+                   [&](std::size_t i) { paths[i] = outline(limbs, limbs.limbs[i], look); });
     return paths;
 }
 
