@@ -27,41 +27,43 @@ Joint::Joint(const LimbCurve& child, const LimbCurve& parent, std::size_t parent
     // Half the parent's half width: a child can't slip out and in again between two steps.
     stride_ = std::max(std::min(limit_ / 6, at.half_width / 2), limit_ / 400);
     for (double s = stride_; s <= limit_; s += stride_) {
-        const Vec2 point = flank_point(0, s);
-        const double right = beyond(point, 1);
-        if (right <= 0 && beyond(point, -1) <= 0) continue;
-        side_ = right > 0 ? 1 : -1;
+        const LimbSlice step = child.slice(child.walk(0, s));
+        if (seen_ < steps_.size()) steps_[seen_++] = step;
+        const Offset offset = offset_of(step.at(0));
+        if (offset.beyond(1) <= 0 && offset.beyond(-1) <= 0) continue;
+        side_ = offset.beyond(1) > 0 ? 1 : -1;
         return;
     }
 }
 
 Vec2 Joint::flank_point(int flank, double s) const {
-    return child_.section(child_.walk(0, s)).at(flank);
+    return child_.slice(child_.walk(0, s)).at(flank);
 }
 
 // Chord length along the parent, from the joint, of the section through a point.
 double Joint::parent_distance(Vec2 point) const {
     double s = glm::dot(point - frame_.centre, frame_.tangent);
-    const LimbSection section = parent_.section(parent_.walk(node_, s));
-    return s + glm::dot(point - section.centre, section.tangent);
+    const LimbSlice slice = parent_.slice(parent_.walk(node_, s));
+    return s + glm::dot(point - slice.centre, slice.tangent);
 }
 
-// How far a point lies outside the parent's flank on one side; negative inside. Near the joint the
-// parent is as good as straight.
-double Joint::beyond(Vec2 point, double side) const {
+// Near the joint the parent is as good as straight.
+Joint::Offset Joint::offset_of(Vec2 point) const {
     const Vec2 away = point - frame_.centre;
     if (std::abs(glm::dot(away, frame_.tangent)) < 2 * frame_.half_width) {
-        return side * cross(frame_.tangent, away) - frame_.half_width;
+        return {cross(frame_.tangent, away), frame_.half_width};
     }
-    const LimbSection section = parent_.section(parent_.walk(node_, parent_distance(point)));
-    return side * cross(section.tangent, point - section.centre) - section.half_width;
+    const LimbSlice slice = parent_.slice(parent_.walk(node_, parent_distance(point)));
+    return {cross(slice.tangent, point - slice.centre), slice.half_width};
 }
 
 // Where along the child its flank crosses the parent's: steps, then false position.
 std::optional<double> Joint::way_out(int flank) const {
     double inside = 0, depth = 0;
-    for (double s = stride_; s <= limit_; s += stride_) {
-        const double over = beyond(flank_point(flank, s), side_);
+    std::size_t step = 0;
+    for (double s = stride_; s <= limit_; s += stride_, ++step) {
+        const Vec2 point = step < seen_ ? steps_[step].at(flank) : flank_point(flank, s);
+        const double over = offset_of(point).beyond(side_);
         if (over < 0) {
             inside = s, depth = over;
             continue;
@@ -69,7 +71,7 @@ std::optional<double> Joint::way_out(int flank) const {
         double outside = s, height = over;
         for (int i = 0; i < 3 && depth < 0; ++i) {
             const double middle = inside + (outside - inside) * depth / (depth - height);
-            const double at = beyond(flank_point(flank, middle), side_);
+            const double at = offset_of(flank_point(flank, middle)).beyond(side_);
             if (at < 0) {
                 inside = middle, depth = at;
             } else {

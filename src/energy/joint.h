@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <optional>
 
 #include "energy/limb_curve.h"
@@ -35,9 +36,16 @@ class Joint {
         double half_width;
     };
 
+    // Where a point lies in the parent's section through it: to the right of the centre line.
+    struct Offset {
+        double right_mm, half_width;
+        // How far outside the parent's flank on one side; negative inside.
+        double beyond(double side) const { return side * right_mm - half_width; }
+    };
+
     Vec2 flank_point(int flank, double s) const;
     double parent_distance(Vec2 point) const;
-    double beyond(Vec2 point, double side) const;
+    Offset offset_of(Vec2 point) const;
     std::optional<double> way_out(int flank) const;
 
     const LimbCurve& child_;
@@ -49,6 +57,9 @@ class Joint {
     double limit_ = 0;      // how far along the child a joint is looked for
     double stride_ = 0;
     int side_ = 1;
+    // The child at the first strides, as far as the side was looked for: both flanks start there.
+    std::array<LimbSlice, 16> steps_;
+    std::size_t seen_ = 0;
 };
 
 }  // namespace edaha

@@ -14,17 +14,23 @@ struct LimbPlace {
     double t = 0;
 };
 
-// What a limb is at one place of its centre line.
-struct LimbSection {
+// Where a limb is at one place, and how wide: all that finding joints takes, at half the cost of a
+// section.
+struct LimbSlice {
     Vec2 centre;
     Vec2 tangent;  // unit, towards the tip
     double half_width;
-    double taper;      // d half_width / d length, <= 0
-    double curvature;  // of the centre line, positive when it turns to the section's +1 side
 
     // The side +1 is the right-hand one as the page is seen by someone who walks to the tip.
     Vec2 normal() const { return {-tangent.y, tangent.x}; }
     Vec2 at(double across) const { return centre + normal() * (half_width * across); }
+};
+
+// What a limb is at one place of its centre line.
+struct LimbSection : LimbSlice {
+    double taper;      // d half_width / d length, <= 0
+    double curvature;  // of the centre line, positive when it turns to the section's +1 side
+
     // The curve of constant `across`: its direction there, or zero where it doubles back.
     CurveSample sample(double across) const;
 };
@@ -38,6 +44,7 @@ class LimbCurve {
         : nodes_(nodes), flare_(flare), flare_height_mm_(flare_height_mm) {}
 
     LimbSection section(LimbPlace place) const;
+    LimbSlice slice(LimbPlace place) const;  // of that section
     LimbSection section_at_node(std::size_t node) const;
     // The place `distance_mm` along the chords from a node; stops at either end of the limb.
     LimbPlace walk(std::size_t node, double distance_mm) const;
@@ -47,6 +54,9 @@ class LimbCurve {
     bool flared() const { return flare_ > 0; }
 
   private:
+    struct Span;
+    double flare_left(LimbPlace place) const;
+
     std::span<const LimbNode> nodes_;
     double flare_ = 0;
     double flare_height_mm_ = 1;

@@ -143,7 +143,8 @@ Path outline(const Limbs& limbs, const Limb& limb, const LookParams& look) {
         path = child_outline(curve_of(limbs, limb, look), LimbCurve(limbs.nodes_of(parent)),
                              limb.parent_node - parent.first_node, look);
     }
-    return signed_area(path) < 0 ? reversed(path) : path;
+    if (signed_area(path) < 0) path = reversed(path);
+    return path;
 }
 
 std::vector<Stroke> centre_strokes(const Limbs& limbs, const Limb& limb, const LookParams& look) {

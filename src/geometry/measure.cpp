@@ -68,7 +68,10 @@ Path transformed(const Affine& target_from_source, const Path& path) {
 
 Path reversed(const Path& path) {
     Path out;
+    out.verbs.reserve(path.verbs.size() + 1);
+    out.points.reserve(path.points.size() + 1);
     std::vector<PathSegment> segments;
+    segments.reserve(path.verbs.size());
     const auto flush = [&] {
         if (!segments.empty()) append_reversed(out, segments);
         segments.clear();
