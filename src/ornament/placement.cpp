@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -45,6 +44,9 @@ struct Cloud {
         return std::clamp(glm::dot((place - box.centre()) / half, towards_light), -1.0, 1.0);
     }
 };
+
+// The ornaments of a clump, tone by tone.
+using Tonal = std::array<std::vector<Element>, kTones>;
 
 struct Placed {
     Affine page_from_symbol;
@@ -148,35 +150,53 @@ class Placer {
 
     // Clump by clump, the high ones first: the lit top of each lies over the shade of the one
     // above it, as clouds do. The middle tone is the layer's own paint.
-    Layer layer(std::vector<Placed>& placed, const std::string& label,
+    Layer layer(const std::vector<Placed>& placed, const std::string& label,
                 const std::array<Colour, kTones>& colours) const {
-        const auto rank = [&](const Placed& one) {
-            const Bounds& box = clumps_[static_cast<std::size_t>(one.clump)].box;
-            return std::tuple(box.centre().y, one.clump, one.tone);
-        };
-        std::stable_sort(placed.begin(), placed.end(),
-                         [&](const Placed& a, const Placed& b) { return rank(a) < rank(b); });
         Layer result{label, paint_of(colours[kMid]), {}};
         const std::string prefix = result.id() + '.';
-        for (std::size_t i = 0; i < placed.size();) {
-            const std::string id = prefix + params_.clump_id(placed[i].clump);
+        std::vector<Tonal> tonal = by_clump(placed);
+        for (const std::size_t i : high_first(tonal)) {
+            const std::string id = prefix + params_.clump_id(static_cast<std::int32_t>(i));
             Group clump{id, {}, {}};
-            const std::int32_t here = placed[i].clump;
-            for (; i < placed.size() && placed[i].clump == here; ++i)
-                add(clump, placed[i], colours);
+            for (std::size_t tone = 0; tone < kTones; ++tone) {
+                if (tonal[i][tone].empty()) continue;
+                const Paint paint = tone == kMid ? Paint{} : paint_of(colours[tone]);
+                clump.children.emplace_back(
+                    Group{id + '.' + kToneNames[tone], paint, std::move(tonal[i][tone])});
+            }
             result.children.emplace_back(std::move(clump));
         }
         return result;
     }
 
-    void add(Group& clump, const Placed& one, const std::array<Colour, kTones>& colours) const {
-        const std::string id = clump.id + '.' + kToneNames[one.tone];
-        if (clump.children.empty() || std::get<Group>(clump.children.back()).id != id) {
-            clump.children.emplace_back(
-                Group{id, one.tone == kMid ? Paint{} : paint_of(colours[one.tone]), {}});
+    // The ornaments of each clump by tone, in the order in which they were placed.
+    std::vector<Tonal> by_clump(const std::vector<Placed>& placed) const {
+        std::vector<std::array<std::size_t, kTones>> counts(clumps_.size());
+        for (const Placed& one : placed)
+            ++counts[static_cast<std::size_t>(one.clump)][one.tone];
+        std::vector<Tonal> tonal(clumps_.size());
+        for (std::size_t i = 0; i < tonal.size(); ++i) {
+            for (std::size_t tone = 0; tone < kTones; ++tone)
+                tonal[i][tone].reserve(counts[i][tone]);
         }
-        std::get<Group>(clump.children.back())
-            .children.emplace_back(Use{params_.symbol, one.page_from_symbol, {}});
+        for (const Placed& one : placed) {
+            tonal[static_cast<std::size_t>(one.clump)][one.tone].emplace_back(
+                Use{params_.symbol, one.page_from_symbol, {}});
+        }
+        return tonal;
+    }
+
+    // The clumps that have any.
+    std::vector<std::size_t> high_first(const std::vector<Tonal>& tonal) const {
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < tonal.size(); ++i) {
+            const auto bare = [](const std::vector<Element>& uses) { return uses.empty(); };
+            if (!std::all_of(tonal[i].begin(), tonal[i].end(), bare)) order.push_back(i);
+        }
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return clumps_[a].box.centre().y < clumps_[b].box.centre().y;
+        });
+        return order;
     }
 
     Paint paint_of(Colour colour) const {
