@@ -178,13 +178,19 @@
   });
   get("previous").addEventListener("click", function () { turn(-1); });
   get("next").addEventListener("click", function () { turn(1); });
-  get("close").addEventListener("click", function () { viewer.close(); });
-  viewer.addEventListener("click", function (event) { if (event.target === viewer) viewer.close(); });
-  viewer.addEventListener("close", function () {
+  function afterClosing() {
+    if (!open || viewer.open) return;
     setHash("");
-    if (open) sheetOf(open).focus();
+    sheetOf(open).focus();
     open = null;
-  });
+  }
+  function close() {
+    viewer.close();
+    afterClosing();
+  }
+  get("close").addEventListener("click", close);
+  viewer.addEventListener("click", function (event) { if (event.target === viewer) close(); });
+  viewer.addEventListener("close", afterClosing);  // by Esc
 
   // ---- keys
 
