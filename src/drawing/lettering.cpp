@@ -16,31 +16,58 @@ namespace edaha {
 namespace {
 
 constexpr double kUnitsOfCapital = 20;
-constexpr double kDotRadius = 0.4;  // of the pen's way: the dot is a little thicker than the pen
+constexpr double kDotRadius = 0.5;  // of the pen's way: the dot is a little thicker than the pen
 
 struct Knot {
     Vec2 at{0, 0};
     std::optional<Vec2> heading;  // of length 1
 };
 
-// The cubic that leaves and arrives by the knots' headings: J. Hobby, "Smooth, easy to compute
-// interpolating splines" (1986), eq. (2.7) and its velocity function rho, with tension 1.
-void add_curve(Path& path, const Knot& from, const Knot& to) {
-    const Vec2 chord = to.at - from.at;
-    const double length = std::sqrt(chord.x * chord.x + chord.y * chord.y);
-    const Vec2 along = chord / length;
-    const auto sine = [&](Vec2 v) { return along.x * v.y - along.y * v.x; };
-    const auto cosine = [&](Vec2 v) { return along.x * v.x + along.y * v.y; };
-    const Vec2 out = *from.heading, in = *to.heading;
-    // theta is counted from the chord, phi towards it.
-    const double sin_theta = sine(out), cos_theta = cosine(out);
-    const double sin_phi = -sine(in), cos_phi = cosine(in);
+double cross(Vec2 a, Vec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+double dot(Vec2 a, Vec2 b) {
+    return a.x * b.x + a.y * b.y;
+}
+
+// A curve's handles, as lengths along its headings.
+struct Handles {
+    double leave, arrive;
+};
+
+// Where the headings meet in a point ahead, the curve is an arc of a circle squeezed or sheared
+// into place, so that a quarter between an upright and a level heading is an ellipse's: handles are
+// parts of the way to that point, h / (1 + h) * 4/3 with h the cosine of half the turn.
+std::optional<Handles> arc_handles(Vec2 chord, Vec2 out, Vec2 in) {
+    const double turn = cross(out, in);
+    if (std::abs(turn) < 1e-3) return std::nullopt;
+    const double before = cross(chord, in) / turn, after = cross(out, chord) / turn;
+    if (!(before > 0 && after > 0)) return std::nullopt;
+    const double half = std::sqrt((1 + dot(out, in)) / 2);
+    const double part = half / (1 + half) * (4.0 / 3);
+    return Handles{part * before, part * after};
+}
+
+// Otherwise, for an S or a half turn: J. Hobby, "Smooth, easy to compute interpolating splines"
+// (1986), the velocity function rho with tension 1; theta and phi are the headings' angles to the
+// chord.
+Handles spline_handles(Vec2 chord, Vec2 out, Vec2 in) {
+    const double length = std::sqrt(dot(chord, chord));
+    const double sin_theta = cross(chord, out) / length, cos_theta = dot(chord, out) / length;
+    const double sin_phi = cross(in, chord) / length, cos_phi = dot(chord, in) / length;
     const double bend = std::sqrt(2.0) * (sin_theta - sin_phi / 16) * (sin_phi - sin_theta / 16) *
                         (cos_theta - cos_phi);
     const double small = (std::sqrt(5.0) - 1) / 2, large = (3 - std::sqrt(5.0)) / 2;
-    const double leave = (2 + bend) / (3 * (1 + small * cos_theta + large * cos_phi));
-    const double arrive = (2 - bend) / (3 * (1 + small * cos_phi + large * cos_theta));
-    path.cubic_to(from.at + out * (leave * length), to.at - in * (arrive * length), to.at);
+    return {length * (2 + bend) / (3 * (1 + small * cos_theta + large * cos_phi)),
+            length * (2 - bend) / (3 * (1 + small * cos_phi + large * cos_theta))};
+}
+
+void add_curve(Path& path, const Knot& from, const Knot& to) {
+    const Vec2 chord = to.at - from.at, out = *from.heading, in = *to.heading;
+    const auto arc = arc_handles(chord, out, in);
+    const Handles handles = arc ? *arc : spline_handles(chord, out, in);
+    path.cubic_to(from.at + out * handles.leave, to.at - in * handles.arrive, to.at);
 }
 
 // Reads the notation of glyphs.h.
@@ -53,7 +80,7 @@ class GlyphPen {
             if (skip('|')) {
                 last_.reset();
             } else if (!skip(' ')) {
-                skip('*') ? dot(knot().at) : step(knot());
+                skip('*') ? add_dot(knot().at) : step(knot());
             }
         }
         return std::move(path_);
@@ -105,7 +132,7 @@ class GlyphPen {
         last_ = to;
     }
 
-    void dot(Vec2 at) {
+    void add_dot(Vec2 at) {
         const Knot left{at - Vec2(kDotRadius, 0), Vec2(0, 1)};
         const Knot right{at + Vec2(kDotRadius, 0), Vec2(0, -1)};
         path_.move_to(left.at);

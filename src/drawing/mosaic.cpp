@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "drawing/check.h"
@@ -94,9 +95,9 @@ Group Mosaic::group_of(const Tile& tile, double scale, Vec2 offset, std::vector<
     Group group{unique(tile.id), {}, std::move(card)};
     for (const Layer& layer : tile.drawing.layers) {
         if (layer.label == kBackgroundLabel) continue;
-        const InheritedPaint paint = inherit({}, layer.paint);
-        group.children.emplace_back(
-            Group{id_of(layer.id()), mapped(layer.paint), mapped(layer.children, paint)});
+        Group own{id_of(layer.id()), mapped(layer.paint),
+                  mapped(layer.children, inherit({}, layer.paint))};
+        if (!own.children.empty()) group.children.emplace_back(std::move(own));
     }
     return group;
 }
@@ -116,7 +117,8 @@ std::uint32_t Mosaic::take_symbol(const Symbol& symbol) {
     known_.push_back({symbol.id, index});
     takes_pen_.push_back(takes_pen(symbol));
     Symbol& taken = page_.symbols.emplace_back(symbol);
-    taken.id = unique(symbol.id);
+    // Instances name it thousands of times: without the tiles' ids, as short as can be.
+    taken.id = unique(keep_ids_ ? symbol.id : "s");
     for (Shape& shape : taken.shapes)
         shape.id = keep_ids_ ? unique(shape.id) : "";
     return index;
@@ -132,7 +134,12 @@ std::vector<Element> Mosaic::mapped(const std::vector<Element>& elements,
     result.reserve(elements.size());
     for (const Element& element : elements) {
         if (const auto* group = std::get_if<Group>(&element)) {
-            result.emplace_back(mapped(*group, parent));
+            Group own = mapped(*group, parent);
+            if (own.id.empty() && own.paint == Paint{}) {  // holds nothing together any more
+                std::move(own.children.begin(), own.children.end(), std::back_inserter(result));
+            } else if (!own.children.empty()) {
+                result.emplace_back(std::move(own));
+            }
         } else if (const auto* use = std::get_if<Use>(&element)) {
             result.emplace_back(mapped(*use, parent));
         } else {

@@ -14,7 +14,7 @@ namespace edaha {
 // the same name and shapes are taken once.
 class Mosaic {
   public:
-    // Ids within the drawings are left out unless `keep_ids`.
+    // Unless `keep_ids`, ids within the drawings are left out, and symbols have short ones.
     Mosaic(Drawing& page, bool keep_ids);
 
     // page = offset + scale * tile. `card`, if it has any, is the first child.

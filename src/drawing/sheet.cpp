@@ -209,6 +209,24 @@ void add_heading(Composer& composer, const SheetParams& params) {
                    room);
 }
 
+// The widths of a strip's cells at a scale: a picture's, or its caption's where that is wider.
+std::vector<double> cell_widths(std::span<const Tile> tiles, std::span<const Stand> stands,
+                                const StripParams& params, double padding, double scale) {
+    std::vector<double> widths;
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        widths.push_back(std::max(stands[i].ink.width() * scale + 2 * padding,
+                                  lettering_width_mm(tiles[i].caption, params.caption_mm)));
+    }
+    return widths;
+}
+
+double sum(std::span<const double> numbers) {
+    double total = 0;
+    for (const double number : numbers)
+        total += number;
+    return total;
+}
+
 }  // namespace
 
 double sheet_scale(std::span<const Tile> tiles, const SheetParams& params) {
@@ -233,28 +251,6 @@ Drawing sheet_page(std::span<const Tile> tiles, const SheetParams& params) {
     }
     return composer.finish();
 }
-
-namespace {
-
-// The widths of a strip's cells at a scale: a picture's, or its caption's where that is wider.
-std::vector<double> cell_widths(std::span<const Tile> tiles, std::span<const Stand> stands,
-                                const StripParams& params, double padding, double scale) {
-    std::vector<double> widths;
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        widths.push_back(std::max(stands[i].ink.width() * scale + 2 * padding,
-                                  lettering_width_mm(tiles[i].caption, params.caption_mm)));
-    }
-    return widths;
-}
-
-double sum(std::span<const double> numbers) {
-    double total = 0;
-    for (const double number : numbers)
-        total += number;
-    return total;
-}
-
-}  // namespace
 
 Drawing strip(std::span<const Tile> tiles, const StripParams& params) {
     CommonBox common;

@@ -34,26 +34,28 @@ struct SheetParams {
     std::size_t page = 1, pages = 1;  // above the cells, right, where there are several
 };
 
-// A contact sheet: columns x rows pictures at most, in reading order, captions beneath. All have
-// one scale, the largest at which each fits its cell, and each row stands on one ground line. A
-// picture becomes a group of the tile's id, its layers groups in it, with their paint as it was;
-// every id inside is prefixed by the tile's ("cherry-7.Wood"). Symbols that are alike become one. A
-// layer "Background" becomes the cell's card in its colour; margins around the ink are not kept.
-//   Layers: "Paper", "Pictures", "Captions". Metadata and swatches are left to the caller. A
-//   caption
-// too wide for its cell is drawn smaller. O(content).
+// A contact sheet: columns x rows pictures at most, in reading order, with captions. All have one
+// scale, the largest at which each fits its cell, and each row stands on one ground line. Cells are
+// a millimetre wide and high at least.
+//   - A picture becomes a group of the tile's id, its layers groups in it, with their paint as it
+//     was; each id inside is prefixed by the tile's ("cherry-7.Wood"). Symbols that are alike
+//     become one.
+//   - Margins around the ink are not kept; a layer "Background" becomes the cell's card.
+//   - A caption that is too wide for its cell is drawn smaller.
+//   - Layers: "Paper", "Pictures", "Captions". Metadata and swatches are left to the caller.
+// O(content).
 Drawing sheet_page(std::span<const Tile> tiles, const SheetParams& params);
 
 // The scale of sheet_page() for these tiles.
 double sheet_scale(std::span<const Tile> tiles, const SheetParams& params);
 
 struct StripParams {
-    double tallest_mm = 50;      // height of the tallest picture, or of the row's common box
-    double most_width_mm = 250;  // of the strip: where it would be wider, all gets smaller
+    double tallest_mm = 50;      // from the highest top to the lowest foot of a picture
+    double most_width_mm = 250;  // where it would be wider, all pictures get smaller
     double margin_mm = 2;
     double gap_mm = 6;
     double caption_mm = 2.4;
-    bool ids = false;              // keep ids within pictures too
+    bool ids = false;              // keep ids within pictures, and symbols' names
     Colour ink{0x7d, 0x74, 0x6a};  // reads on light and on dark pages
     std::optional<Colour> paper;
 };
