@@ -121,6 +121,14 @@ TEST_F(GalleryCommand, WhatIsWrongIsSaidAndNothingDrawn) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "gallery/p"));
 }
 
+TEST_F(GalleryCommand, FilesOfOthersAreLeftAlone) {
+    write("gallery/README.md", "My own.");
+    expect("edaha gallery", 1, "",
+           "edaha: 'gallery/README.md' is there already, and edaha gallery has not written it\n");
+    EXPECT_EQ(read("gallery/README.md"), "My own.");
+    EXPECT_FALSE(exists("gallery/trees"));
+}
+
 TEST_F(GalleryCommand, AnUnwritableFolderIsOneError) {
     write("gallery/trees", "in the way");
     expect("edaha gallery", 1, "",

@@ -80,6 +80,20 @@ std::vector<std::string> stale_files(const Gallery& gallery, const fs::path& fol
     return stale;
 }
 
+// A README.md of somebody's own must not be lost.
+void refuse_to_replace(const Gallery& gallery, const fs::path& folder) {
+    std::vector<std::string> names{"README.md", "index.html"};
+    for (const GalleryPage& page : gallery.pages)
+        names.push_back(page.name + ".md");
+    for (const std::string& name : names) {
+        const fs::path path = folder / name;
+        const auto text = read_if_there(path);
+        if (!text || text->find(kPageMark) != std::string::npos) continue;
+        throw IoError("'" + path.string() +
+                      "' is there already, and edaha gallery has not written it");
+    }
+}
+
 void append(std::vector<std::string>& names, const std::vector<std::string>& more) {
     names.insert(names.end(), more.begin(), more.end());
 }
@@ -172,6 +186,7 @@ GalleryReport run(const Gallery& gallery, const GalleryPlace& place, std::vector
 }  // namespace
 
 GalleryReport update_gallery(const Gallery& gallery, const GalleryPlace& place, LeafShelf& leaves) {
+    refuse_to_replace(gallery, place.folder);
     std::vector<PlateFacts> facts;
     GalleryReport report = run(gallery, place, facts, [&](const Plate& plate) {
         return update(plate, place.folder, leaves);

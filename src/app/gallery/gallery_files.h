@@ -28,8 +28,9 @@ struct GalleryPlace {
 };
 
 // Draws the pictures whose files do not record that they are what would be drawn, and writes the
-// pages whose text changed. What is stale is left there. Errors: IoError; what was written by then
-// stays, and is left alone the next time.
+// pages whose text changed. What is stale is left there. Errors: IoError, before anything is drawn
+// where a page's file is there that another hand wrote; else what was written by then stays, and is
+// left alone the next time.
 GalleryReport update_gallery(const Gallery& gallery, const GalleryPlace& place, LeafShelf& leaves);
 
 // Draws everything in memory and compares it with the files. Errors: IoError.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/gallery/gallery.h"
@@ -22,6 +23,9 @@ struct PageFile {
     std::string name;
     std::string text;
 };
+
+// Stands in every page file: what has it not is somebody else's.
+inline constexpr std::string_view kPageMark = "Written by edaha gallery";
 
 // README.md, NAME.md of each page, and index.html. `facts` are the plates', in their order.
 std::vector<PageFile> gallery_pages(const Gallery& gallery, std::span<const PlateFacts> facts);

@@ -48,7 +48,7 @@ class HtmlWriter {
         const PageParts parts = page_parts();
         return fill(
             parts.html,
-            {{"version", kVersion},
+            {{"mark", fmt::format("{}, {}", kPageMark, kVersion)},
              {"title", html_text(gallery_.title)},
              {"summary", html_text(to_plain(gallery_.description))},
              {"description",

@@ -39,7 +39,7 @@ TEST(GalleryPages, MarkdownOfAPageToTheLetter) {
     const auto files = pages_of(kGallery);
     EXPECT_EQ(
         files[1].text,
-        "# P \\& q\n"
+        "<!-- Written by edaha gallery -->\n# P \\& q\n"
         "\nSee [the rest](q.md) \\| x.\n"
         "\n| | |\n|:-:|:-:|\n"
         "| <a href=\"p/o.svg\"><img src=\"p/o.png\" width=\"190\" alt=\"An &quot;oak&quot; \\| "
@@ -48,7 +48,8 @@ TEST(GalleryPages, MarkdownOfAPageToTheLetter) {
         "| An \"oak\" \\| here<br>`edaha draw oak` | `edaha draw fir` |\n"
         "\n[A \\<b\\>](README.md)\n");
     EXPECT_EQ(files[2].text,
-              "# Q\n\n| **h** | |\n|---|---|\n| 1\\|2 | `b` |\n\n[A \\<b\\>](README.md)\n");
+              "<!-- Written by edaha gallery -->\n# Q\n\n| **h** | |\n|---|---|\n| 1\\|2 | `b` "
+              "|\n\n[A \\<b\\>](README.md)\n");
 }
 
 TEST(GalleryPages, HtmlIsEscapedAndLeadsToItsOwnSections) {
