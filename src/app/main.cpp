@@ -5,6 +5,10 @@
 #include <string>
 #include <vector>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 #include "app/cli.h"
 
 namespace {
@@ -18,9 +22,19 @@ std::filesystem::path user_folder() {
     return std::filesystem::path(home) / ".local/share/edaha";
 }
 
+// One tree's memory serves the next one: given back to the system and asked for again, it would
+// cost a fifth of the time of drawing.
+void keep_freed_memory() {
+#if defined(__GLIBC__)
+    mallopt(M_TRIM_THRESHOLD, 64 << 20);
+    mallopt(M_MMAP_THRESHOLD, 16 << 20);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    keep_freed_memory();
     // A reader that goes away is then an error of writing, which has a message.
     std::signal(SIGPIPE, SIG_IGN);
     std::ios::sync_with_stdio(false);
