@@ -14,6 +14,14 @@
 namespace edaha {
 namespace {
 
+// Room for two flanks, the tip, two fillets and two lines.
+Path path_for(std::size_t flank_cubics) {
+    Path path;
+    path.verbs.reserve(flank_cubics + 8);
+    path.points.reserve(3 * flank_cubics + 14);
+    return path;
+}
+
 void add_cubics(Path& path, const std::vector<Cubic>& cubics) {
     for (const Cubic& c : cubics)
         path.cubic_to(c.p1, c.p2, c.p3);
@@ -40,6 +48,7 @@ void add_fillet(Path& path, CurveSample from, CurveSample to, Vec2 corner) {
 
 std::vector<Cubic> backwards(const std::vector<Cubic>& cubics) {
     std::vector<Cubic> result;
+    result.reserve(cubics.size());
     for (auto it = cubics.rbegin(); it != cubics.rend(); ++it)
         result.push_back(reversed(*it));
     return result;
@@ -87,7 +96,7 @@ Path child_outline(const LimbCurve& curve, const LimbCurve& parent, std::size_t 
     const LimbPlace up = below ? below->place : LimbPlace{};
     const LimbPlace down = crotch ? crotch->place : LimbPlace{};
     const Flanks flanks = fit_flanks(curve, lower, up, down);
-    Path path;
+    Path path = path_for(flanks.up.size() + flanks.down.size());
     if (flanks.up.empty() || flanks.down.empty()) return path;
     // On the parent's centre line, between the fillets: a child may run within its parent at first.
     const double start = below && crotch ? (below->along_mm + crotch->along_mm) / 2 : 0;

@@ -45,6 +45,8 @@ Bounds bounds(const Path& path) {
         box.include(segment.curve.p0);
         box.include(segment.curve.p3);
         if (segment.verb != Verb::cubic) return;
+        // A curve lies within its control points: most pieces of a limb turn nowhere outside.
+        if (box.contains(segment.curve.p1) && box.contains(segment.curve.p2)) return;
         include_turns(box, segment.curve, 0);
         include_turns(box, segment.curve, 1);
     });
