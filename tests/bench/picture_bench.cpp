@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 // From a style to its picture and its SVG, in one process: what `edaha draw` does without its
 // start. The paper's sizes, the built-in kinds, and a million branches.
+#include <map>
+#include <string>
+
 #include <benchmark/benchmark.h>
 
+#include "app/overlap.h"
 #include "app/pipeline.h"
 #include "style/catalogue.h"
 #include "style/style_xml.h"
@@ -44,6 +48,59 @@ void draw_million(benchmark::State& state) {
     draw_to_svg(state, style);
 }
 
+// A variant of `edaha batch`: a cherry of some two thousand shapes, whose leaves are read already,
+// step by step on one thread.
+class Variant {
+  public:
+    Variant() : style_(style_of("cherry")) {
+        style_.energy.growth.energy = 300;
+        for (const OrnamentParams* ornament : {&style_.leaf, &style_.blossom})
+            leaves_.emplace(ornament->shape, load(ornament->shape));
+    }
+
+    Picture draw() {
+        style_.energy.variant.seed = style_.energy.variant.seed % 20 + 1;
+        return draw_picture(style_, [&](const std::string& name) { return leaves_.at(name); });
+    }
+
+  private:
+    Style style_;
+    std::map<std::string, LeafImport> leaves_;
+};
+
+void count(benchmark::State& state, const char* name, std::size_t number) {
+    const auto value = static_cast<double>(number);
+    state.counters[name] = value;
+    state.counters[std::string("per_") + name] = benchmark::Counter(
+        value, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void draw_variant(benchmark::State& state) {
+    Variant variant;
+    std::size_t branches = 0;
+    for (auto _ : state)
+        branches = variant.draw().counts.branches;
+    count(state, "branch", branches);
+}
+
+void write_variant(benchmark::State& state) {
+    const Picture picture = Variant().draw();
+    std::size_t bytes = 0;
+    for (auto _ : state)
+        bytes = write_svg(picture.drawing, {}, [](std::string_view) {}).bytes;
+    count(state, "byte", bytes);
+}
+
+void overlap_of_variant(benchmark::State& state) {
+    const Picture picture = Variant().draw();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(overlap_ratio(picture.drawing));
+    count(state, "ornament", picture.counts.ornaments);
+}
+
+BENCHMARK(draw_variant)->Unit(benchmark::kMicrosecond);
+BENCHMARK(write_variant)->Unit(benchmark::kMicrosecond);
+BENCHMARK(overlap_of_variant)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(draw_named, a_100, "paper/energy-a-100-space")
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
