@@ -148,6 +148,9 @@ void PathWriter::put(char letter, const Unit* points, int count) {
     for (int i = 0; i < count; ++i) {
         const Unit offset = points[i] - at_;
         add_number(relative, offset.x), add_number(relative, offset.y);
+    }
+    // What is longer already is not written to its end.
+    for (int i = 0; i < count && absolute.size() <= relative.size(); ++i) {
         add_number(absolute, points[i].x), add_number(absolute, points[i].y);
     }
     take(relative, absolute);
