@@ -220,6 +220,11 @@ std::vector<double> cell_widths(std::span<const Tile> tiles, std::span<const Sta
     return widths;
 }
 
+// Up to what a file says of a page's size.
+double hundredths(double mm) {
+    return std::ceil(mm * 100 - 1e-6) / 100;
+}
+
 double sum(std::span<const double> numbers) {
     double total = 0;
     for (const double number : numbers)
@@ -266,7 +271,6 @@ Drawing strip(std::span<const Tile> tiles, const StripParams& params) {
         tiles.empty() ? 1 : std::min(params.tallest_mm / common.height(), room / drawn);
     const std::vector<double> widths = cell_widths(tiles, stands, params, pad, scale);
     const double height = common.height() * scale + 2 * pad;
-    const auto hundredths = [](double mm) { return std::ceil(mm * 100 - 1e-6) / 100; };
     Composer composer({hundredths(sum(widths) + gaps + 2 * params.margin_mm),
                        hundredths(height + caption_depth(params.caption_mm) + 2 * params.margin_mm),
                        params.paper, params.ink, params.caption_mm, params.ids});
@@ -277,6 +281,65 @@ Drawing strip(std::span<const Tile> tiles, const StripParams& params) {
         composer.add(tiles[i], stands[i], {corner, corner + Vec2(widths[i], height)}, ground,
                      scale);
         left += widths[i] + params.gap_mm;
+    }
+    return composer.finish();
+}
+
+namespace {
+
+// One of a poster's rows.
+struct PosterRow {
+    std::span<const Tile> tiles;
+    std::vector<Stand> stands;
+    CommonBox box;
+    double drawn_mm = 0;  // all its pictures' widths
+
+    PosterRow(std::span<const Tile> of_row) : tiles(of_row) {
+        stands = stands_of(tiles, box);
+        for (const Stand& stand : stands)
+            drawn_mm += stand.ink.width();
+    }
+
+    double count() const { return static_cast<double>(tiles.size()); }
+    double height(double scale, double caption_mm) const {
+        return box.height() * scale + caption_depth(caption_mm);
+    }
+
+    void add_to(Composer& composer, double scale, Vec2 corner, double room) const {
+        constexpr double kCaption = 0.9;  // of the way to the next picture's
+        const double gap = (room - drawn_mm * scale) / count();
+        double left = corner.x;
+        for (std::size_t i = 0; i < tiles.size(); ++i) {
+            const double share = stands[i].ink.width() * scale + gap;
+            const double rim = share * (1 - kCaption) / 2;
+            const Bounds cell{{left + rim, corner.y},
+                              {left + share - rim, corner.y + box.height() * scale}};
+            composer.add(tiles[i], stands[i], cell, corner.y + box.above * scale, scale);
+            left += share;
+        }
+    }
+};
+
+}  // namespace
+
+Drawing poster(std::span<const Tile> tiles, const PosterParams& params) {
+    const double room = params.width_mm - 2 * params.margin_mm;
+    std::vector<PosterRow> rows;
+    double scale = std::numeric_limits<double>::infinity();
+    for (std::size_t first = 0; const std::size_t count : params.rows) {
+        const PosterRow& row = rows.emplace_back(tiles.subspan(first, count));
+        scale = std::min(scale, (room - params.gap_mm * row.count()) / row.drawn_mm);
+        first += count;
+    }
+    double height = 2 * params.margin_mm - params.gap_mm;
+    for (const PosterRow& row : rows)
+        height += row.height(scale, params.caption_mm) + params.gap_mm;
+    Composer composer({params.width_mm, hundredths(height), params.colours.paper,
+                       params.colours.ink, params.caption_mm, true});
+    Vec2 corner(params.margin_mm, params.margin_mm);
+    for (const PosterRow& row : rows) {
+        row.add_to(composer, scale, corner, room);
+        corner.y += row.height(scale, params.caption_mm) + params.gap_mm;
     }
     return composer.finish();
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "drawing/drawing.h"
 
@@ -62,5 +63,19 @@ struct StripParams {
 
 // The tiles in one row on a page just as large as they need, as sheet_page() draws them.
 Drawing strip(std::span<const Tile> tiles, const StripParams& params);
+
+struct PosterParams {
+    double width_mm = 300;
+    double margin_mm = 8;
+    double gap_mm = 6;  // between rows, and at least between the pictures of one
+    double caption_mm = 2;
+    SheetColours colours;
+    std::vector<std::size_t> rows;  // how many of the tiles, in their order, each takes
+};
+
+// Rows of pictures at one scale, the largest at which the fullest row fits the width. Each row
+// stands on a line of its own, is as high as it needs, and shares the space that its pictures leave
+// equally. Otherwise as sheet_page(); the height follows. `rows` add up to the number of tiles.
+Drawing poster(std::span<const Tile> tiles, const PosterParams& params);
 
 }  // namespace edaha

@@ -20,16 +20,8 @@ using Names = std::vector<std::string>;
 // A strip is 250 mm wide at most: more pictures would be less than 10 mm.
 constexpr std::size_t kMostInRow = 20;
 
-// Whether a sheet's cells are wide and high enough to show something beside their captions.
-bool has_room(const SheetParams& params) {
-    constexpr double kLeast_mm = 5;
-    constexpr double kCaptions = 3;  // what a caption takes, in its capitals
-    const auto cell = [&](double page_mm, int count) {
-        return (page_mm - 2 * params.margin_mm + params.gap_mm) / count - params.gap_mm;
-    };
-    return cell(params.width_mm, params.columns) >= kLeast_mm &&
-           cell(params.height_mm, params.rows) - kCaptions * params.caption_mm >= kLeast_mm;
-}
+// Leaves some room beside the gaps of a row.
+constexpr int kLeastPoster_mm = 200;
 
 class GalleryReader {
   public:
@@ -74,7 +66,7 @@ class GalleryReader {
                                 {{"text", [&](const XmlElement& e) { read_text(e); }},
                                  {"picture", [&](const XmlElement& e) { read_picture(e); }},
                                  {"strip", [&](const XmlElement& e) { read_strip(e); }},
-                                 {"sheet", [&](const XmlElement& e) { read_sheet(e); }},
+                                 {"poster", [&](const XmlElement& e) { read_poster(e); }},
                                  {"sweep", [&](const XmlElement& e) { read_sweep(e); }},
                                  {"parameters", [&](const XmlElement& e) { read_parameters(e); }},
                                  {"table", [&](const XmlElement& e) { read_table(e); }}});
@@ -147,8 +139,7 @@ class GalleryReader {
         page().blocks.emplace_back(add(std::move(plate), element.offset));
     }
 
-    void read_tiles(Plate& plate, const XmlElement& element) {
-        const TreeWords common = trees_.read(element);
+    void read_tiles(Plate& plate, const XmlElement& element, const TreeWords& common) {
         const auto read_tile = [&](const XmlElement& tile) {
             elements_.check_attributes(tile, with_tree({"caption"}));
             elements_.read_children(tile, {{"set", ElementReader::nothing}});
@@ -163,10 +154,10 @@ class GalleryReader {
         }
     }
 
-    void check_row(const Plate& plate, const XmlElement& element) {
-        if (plate.trees.size() <= kMostInRow) return;
+    void check_row(std::size_t pictures, const XmlElement& element) {
+        if (pictures <= kMostInRow) return;
         problems_.say(element.offset,
-                      fmt::format("{}: more than {} pictures in a row (a sheet has several rows)",
+                      fmt::format("{}: more than {} pictures in a row (a poster has several)",
                                   element.name, kMostInRow));
     }
 
@@ -180,27 +171,33 @@ class GalleryReader {
         elements_.check_attributes(element, with_tree({"name", "caption", "height", "thumbnail"}));
         Plate plate = plate_of(element);
         plate.arrangement = strip_params(element);
-        read_tiles(plate, element);
-        check_row(plate, element);
+        read_tiles(plate, element, trees_.read(element));
+        check_row(plate.trees.size(), element);
         page().blocks.emplace_back(add(std::move(plate), element.offset));
     }
 
-    void read_sheet(const XmlElement& element) {
-        elements_.check_attributes(element, with_tree({"name", "caption", "width", "height",
-                                                       "columns", "lettering", "thumbnail"}));
+    void read_poster(const XmlElement& element) {
+        elements_.check_attributes(
+            element, with_tree({"name", "caption", "width", "lettering", "thumbnail"}));
         Plate plate = plate_of(element);
-        SheetParams params;
+        PosterParams params;
         params.width_mm = elements_.length_mm(element, "width", params.width_mm);
-        params.height_mm = elements_.length_mm(element, "height", params.height_mm);
-        params.columns = elements_.count(element, "columns", params.columns, 100);
         params.caption_mm = elements_.length_mm(element, "lettering", params.caption_mm);
-        read_tiles(plate, element);
-        const int tiles = static_cast<int>(plate.trees.size());
-        params.rows = std::max(1, (tiles + params.columns - 1) / params.columns);
-        if (!has_room(params)) {
-            problems_.say(element.offset, "sheet: there is no room for so many pictures");
+        const TreeWords common = trees_.read(element);
+        const auto read_row = [&](const XmlElement& row) {
+            elements_.check_attributes(row, {});
+            const std::size_t before = plate.trees.size();
+            read_tiles(plate, row, common);
+            params.rows.push_back(plate.trees.size() - before);
+            check_row(params.rows.back(), row);
+        };
+        elements_.read_children(element, {{"row", read_row}, {"set", ElementReader::nothing}});
+        if (params.rows.empty()) problems_.say(element.offset, "poster: there is no row in it");
+        if (params.width_mm < kLeastPoster_mm) {
+            problems_.say(place_of(element, "width"),
+                          fmt::format("width: a poster has {} mm at least", kLeastPoster_mm));
         }
-        plate.arrangement = params;
+        plate.arrangement = std::move(params);
         page().blocks.emplace_back(add(std::move(plate), element.offset));
     }
 
@@ -232,7 +229,7 @@ class GalleryReader {
             trees_.set(each, sweep.parameter, value, place_of(element, "values"));
             add_tree(plate, element, each, value);
         }
-        check_row(plate, element);
+        check_row(plate.trees.size(), element);
         page().blocks.emplace_back(add(std::move(plate), element.offset));
     }
 
@@ -267,7 +264,7 @@ class GalleryReader {
             trees_.set(each, sweep.parameter, value, place_of(element, "values"));
             add_tree(plate, element, each, "seed " + sweep.seeds[i]);
         }
-        check_row(plate, element);
+        check_row(plate.trees.size(), element);
         page().blocks.emplace_back(add(std::move(plate), element.offset));
     }
 

@@ -18,17 +18,16 @@ constexpr int kThumbnail_px = 320;
 
 // A strip of the greatest width has 1180 pixels: as wide as such a page.
 constexpr double kStripDpi = 120;
-constexpr int kSheet_px = 1200;
+constexpr int kPoster_px = 1200;
 
 std::string to_text(const StripParams& params) {
     return fmt::format("strip {} {}", shortest_text(params.tallest_mm),
                        shortest_text(params.caption_mm));
 }
 
-std::string to_text(const SheetParams& params) {
-    return fmt::format("sheet {} {} {} {}", shortest_text(params.width_mm),
-                       shortest_text(params.height_mm), shortest_text(params.caption_mm),
-                       params.columns);
+std::string to_text(const PosterParams& params) {
+    return fmt::format("poster {} {} {}", shortest_text(params.width_mm),
+                       shortest_text(params.caption_mm), fmt::join(params.rows, " "));
 }
 
 std::string to_text(std::monostate) {
@@ -42,8 +41,8 @@ PngParams png_params(const Plate& plate) {
         params.width_px = plate.thumbnail_px;
     } else if (plate.is_single()) {
         params.width_px = kThumbnail_px;
-    } else if (std::holds_alternative<SheetParams>(plate.arrangement)) {
-        params.width_px = kSheet_px;
+    } else if (std::holds_alternative<PosterParams>(plate.arrangement)) {
+        params.width_px = kPoster_px;
     } else {
         params.dpi = kStripDpi;
     }
@@ -92,10 +91,10 @@ Metadata metadata_of_plate(const Plate& plate, LeafShelf& leaves) {
 }
 
 Drawing arranged(const Plate& plate, const std::vector<Tile>& tiles) {
-    if (const auto* params = std::get_if<SheetParams>(&plate.arrangement)) {
-        SheetParams on_paper = *params;
+    if (const auto* params = std::get_if<PosterParams>(&plate.arrangement)) {
+        PosterParams on_paper = *params;
         on_paper.colours.paper = paper_of(plate);
-        return sheet_page(tiles, on_paper);
+        return poster(tiles, on_paper);
     }
     return strip(tiles, std::get<StripParams>(plate.arrangement));
 }

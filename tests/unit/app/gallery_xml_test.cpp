@@ -75,6 +75,16 @@ TEST(GalleryXml, PicturesOfAStripShareWhatTheStripSays) {
     EXPECT_EQ(std::get<StripParams>(plate.arrangement).tallest_mm, 30);
 }
 
+TEST(GalleryXml, APosterHasRows) {
+    const Gallery gallery = read_page(
+        "<poster name='s' style='oak' caption='All'><row><picture seed='1'/><picture "
+        "seed='2'/></row>"
+        "<row><picture style='fir'/></row></poster>");
+    const auto& params = std::get<PosterParams>(gallery.plates.at(0).arrangement);
+    EXPECT_EQ(params.rows, (std::vector<std::size_t>{2, 1}));
+    EXPECT_EQ(gallery.plates[0].trees.size(), 3U);
+}
+
 TEST(GalleryXml, ASweepIsAStripOverItsValues) {
     const Gallery gallery = read_page(
         "<sweep name='s' style='oak' parameter='growth.energy' values='9 | 20|40' seeds='3'/>");
@@ -161,12 +171,14 @@ TEST(GalleryXml, EveryProblemIsSaidAtItsPlace) {
     EXPECT_EQ(problems("<gallery title='T'/>"), "g.xml:1:2: gallery: there is no page in it\n");
 }
 
-TEST(GalleryXml, StripsSheetsAndTextsHaveTheirProblems) {
+TEST(GalleryXml, StripsPostersAndTextsHaveTheirProblems) {
     EXPECT_EQ(problems_of_page("<strip name='a' style='oak'><set growth.energy='5'/></strip>"),
               "g.xml:3:2: strip: there is no picture in it\n");
-    EXPECT_EQ(problems_of_page("<sheet name='a' style='oak' columns='9' width='40mm'><picture/>"
-                               "</sheet>"),
-              "g.xml:3:2: sheet: there is no room for so many pictures\n");
+    EXPECT_EQ(problems_of_page("<poster name='a' style='oak' width='3cm'><row/></poster>"),
+              "g.xml:3:30: width: a poster has 200 mm at least\n"
+              "g.xml:3:43: row: there is no picture in it\n");
+    EXPECT_EQ(problems_of_page("<poster name='a' style='oak'/>"),
+              "g.xml:3:2: poster: there is no row in it\n");
     EXPECT_EQ(problems_of_page("<sweep name='a' style='oak' parameter='growth.enery' values='1'/>"),
               "g.xml:3:29: growth.enery: no such parameter (did you mean 'growth.energy'?)\n");
     EXPECT_EQ(problems_of_page("<parameters groups='groth' style='oak'/>"),

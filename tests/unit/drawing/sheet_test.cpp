@@ -294,5 +294,28 @@ TEST(Strip, IsAsLargeAsItsTilesNeed) {
     EXPECT_EQ(check(narrow), std::vector<std::string>{});
 }
 
+TEST(Poster, TheFullestRowFillsTheWidthAndSharesItsSpace) {
+    const std::vector<Tile> tiles{
+        {post(10, 100), "a", "1"}, {post(60, 40), "b", "2"}, {post(30, 20, 5), "c", "3"}};
+    PosterParams params;
+    params.width_mm = 100;
+    params.rows = {2, 1};
+    const Drawing drawing = poster(tiles, params);
+    EXPECT_EQ(check(drawing), std::vector<std::string>{});
+    const double scale = (100 - 16 - 2 * 6) / 70.0;
+    const auto pictures = pictures_of(drawing);
+    ASSERT_EQ(pictures.size(), 3U);
+    const Bounds a = wood_of(pictures[0]), b = wood_of(pictures[1]), c = wood_of(pictures[2]);
+    EXPECT_NEAR(a.height(), 100 * scale, kAlmost_mm);
+    EXPECT_NEAR(c.width(), 30 * scale, kAlmost_mm);
+    EXPECT_NEAR(a.min.x, 8 + 3, kAlmost_mm);
+    EXPECT_NEAR(b.min.x - a.max.x, 6, kAlmost_mm);
+    EXPECT_NEAR(b.max.x, 100 - 8 - 3, kAlmost_mm);
+    EXPECT_NEAR(a.max.y, b.max.y, kAlmost_mm);
+    EXPECT_NEAR(a.min.y, 8, kAlmost_mm);
+    EXPECT_NEAR(c.centre().x, 50, kAlmost_mm);
+    EXPECT_GT(c.min.y, a.max.y + 6);
+}
+
 }  // namespace
 }  // namespace edaha
