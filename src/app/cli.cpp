@@ -17,9 +17,10 @@ namespace {
 
 int run_command(const std::string& name, const Options& options, Console& console) {
     static const std::map<std::string_view, int (*)(const Options&, Console&)> kCommands = {
-        {"draw", draw},          {"gallery", make_gallery},        {"measure", measure},
-        {"styles", list_styles}, {"leaves", list_leaves},          {"check", check_files},
-        {"explain", explain},    {"completion", print_completion}, {"man", print_manual},
+        {"draw", draw},         {"batch", batch},        {"gallery", make_gallery},
+        {"measure", measure},   {"styles", list_styles}, {"leaves", list_leaves},
+        {"check", check_files}, {"explain", explain},    {"completion", print_completion},
+        {"man", print_manual},
     };
     return kCommands.at(name)(options, console);
 }

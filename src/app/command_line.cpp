@@ -9,6 +9,7 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/core.h>
 
+#include "app/batch/batch_options.h"
 #include "app/option_groups.h"
 #include "app/version.h"
 #include "base/nearest_name.h"
@@ -113,8 +114,11 @@ std::string explain_extras(const CLI::App& app) {
         for (const std::string& long_name : each->get_lnames())
             known.push_back("--" + long_name);
     }
-    return fmt::format("{}: there is no option '{}'{}", command.get_name(), name,
-                       did_you_mean(name, known));
+    const auto longer = std::ranges::find_if(
+        known, [&](const std::string& each) { return each.starts_with(name + '-'); });
+    return fmt::format(
+        "{}: there is no option '{}'{}", command.get_name(), name,
+        longer != known.end() ? " (did you mean '" + *longer + "'?)" : did_you_mean(name, known));
 }
 
 std::string explain_error(const CLI::App& app, const CLI::ParseError& error) {
@@ -155,6 +159,7 @@ std::shared_ptr<CLI::App> define_command_line(Options& options) {
     app->set_help_flag("-h,--help", "print help");
     app->require_subcommand(1);
     add_draw(*app, options);
+    add_batch(*app, options);
     add_gallery(*app, options);
     add_measure(*app, options);
     add_lists(*app, options);

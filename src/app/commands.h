@@ -8,6 +8,7 @@ namespace edaha {
 // One function a command: does it and returns the exit code. Errors: InputError, IoError,
 // UsageError; nothing is then written.
 int draw(const Options& options, Console& console);
+int batch(const Options& options, Console& console);
 int make_gallery(const Options& options, Console& console);
 int measure(const Options& options, Console& console);
 int list_styles(const Options& options, Console& console);

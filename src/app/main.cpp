@@ -8,7 +8,10 @@
 #if defined(__GLIBC__)
 #include <malloc.h>
 #endif
+#include <sys/ioctl.h>
+#include <unistd.h>
 
+#include "app/batch/stop_signals.h"
 #include "app/cli.h"
 
 namespace {
@@ -31,14 +34,26 @@ void keep_freed_memory() {
 #endif
 }
 
+// Of the terminal that messages go to; 0 if they go elsewhere.
+std::size_t columns_of_messages() {
+    if (::isatty(STDERR_FILENO) == 0) return 0;
+    winsize size{};
+    const bool told = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return told ? size.ws_col : 80;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     keep_freed_memory();
-    // A reader that goes away is then an error of writing, which has a message.
+    // A reader that goes away, or a file above the user's limit, is then an error of writing, which
+    // has a message.
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     std::ios::sync_with_stdio(false);
     const std::vector<std::string> arguments(argv + 1, argv + argc);
-    edaha::Console console{std::cin, std::cout, std::cerr, user_folder()};
-    return edaha::run(arguments, console);
+    edaha::Console console{std::cin, std::cout, std::cerr, user_folder(), columns_of_messages()};
+    const int code = edaha::run(arguments, console);
+    if (console.ended_by_signal != 0) edaha::end_by_signal(console.ended_by_signal);
+    return code;
 }

@@ -35,10 +35,26 @@ struct WriteOptions {
     bool swatches = false;
 };
 
+// For batch alone.
+struct BatchOptions {
+    std::vector<std::string> sources;  // styles; with --merge, manifests
+    std::string count;
+    std::string seed_from;
+    std::vector<std::string> sweeps;
+    std::string name;
+    std::string jobs;
+    std::string shard;
+    std::string sheet;  // its formats; "true" if none is named
+    bool resume = false;
+    bool merge = false;
+    bool quiet = false;
+};
+
 struct Options {
     TreeOptions tree;
     WriteOptions write;
     GalleryOptions gallery;
+    BatchOptions batch;
     std::string output;
     std::string format;
     std::string topic;               // of explain

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <string_view>
 
 namespace edaha {
 
@@ -17,6 +18,14 @@ constexpr Key mix(Key x) {
 // The key of the step `choice` taken from `from`.
 constexpr Key step(Key from, std::uint64_t choice) {
     return mix(from + (choice + 1) * 0x9e3779b97f4a7c15);
+}
+
+// The key of a name.
+constexpr Key name_key(std::string_view name) {
+    Key key = 0;
+    for (const char c : name)
+        key = step(key, static_cast<unsigned char>(c));
+    return key;
 }
 
 // Random numbers by key instead of by stream: what is drawn for one purpose at one place never

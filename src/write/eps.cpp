@@ -233,6 +233,7 @@ std::string eps_bytes(const Drawing& drawing, const EpsParams& params) {
 }
 
 std::string eps_recipe(std::string_view eps) {
+    if (eps.find("%%EOF") == std::string_view::npos) return "";  // it is not whole
     const std::size_t at = eps.substr(0, eps.find("%%EndComments")).find(kRecipe);
     if (at == std::string_view::npos) return "";
     const std::string_view text = eps.substr(at + kRecipe.size() + 1);

@@ -9,6 +9,7 @@ namespace edaha {
 std::string pdf_recipe(std::string_view pdf) {
     QPDF document;
     document.setSuppressWarnings(true);
+    document.setAttemptRecovery(false);  // half a file has none
     try {
         document.processMemoryFile("pdf", pdf.data(), pdf.size());
         QPDFObjectHandle information = document.getTrailer().getKey("/Info");

@@ -104,13 +104,15 @@ std::string png_bytes(const Drawing& drawing, const PngParams& params) {
 
 std::string png_recipe(std::string_view png) {
     const std::string head = "iTXt" + std::string(kRecipeKeyword) + std::string(kTextFlags, '\0');
+    std::string_view recipe;
     for (std::size_t i = kSignature; i + kLengthAndType < png.size();) {
         const std::size_t length = read_big_endian(png.substr(i, 4));
         const std::string_view typed = png.substr(i + 4, 4 + length);
-        if (typed.starts_with(head)) return std::string(typed.substr(head.size()));
+        if (typed == "IEND") return std::string(recipe);
+        if (typed.starts_with(head)) recipe = typed.substr(head.size());
         i += kLengthAndType + length + kCheckSum;
     }
-    return "";
+    return "";  // it is not whole
 }
 
 }  // namespace edaha

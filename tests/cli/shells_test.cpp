@@ -35,7 +35,7 @@ TEST(Shells, EveryScriptNamesEveryCommand) {
     for (const char* shell : {"bash", "zsh", "fish"}) {
         const auto script = run(std::string(EDAHA_BINARY " completion ") + shell);
         EXPECT_EQ(script.exit_code, 0);
-        for (const char* word : {"draw", "measure", "styles", "leaves", "check", "explain",
+        for (const char* word : {"draw", "batch", "measure", "styles", "leaves", "check", "explain",
                                  "completion", "man", "palette", "edaha styles --names"}) {
             EXPECT_NE(script.out.find(word), std::string::npos) << shell << ": " << word;
         }

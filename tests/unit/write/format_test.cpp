@@ -52,6 +52,9 @@ TEST(Format, EveryFileRecordsItsRecipe) {
         EXPECT_EQ(recorded_recipe("", format), "") << name(format);
         EXPECT_EQ(recorded_recipe("something else", format), "") << name(format);
         EXPECT_EQ(recorded_recipe(bytes_of(format).substr(0, 60), format), "") << name(format);
+        const std::string bytes = bytes_of(format);
+        const std::string torn = bytes.substr(0, bytes.size() - 20);
+        EXPECT_EQ(recorded_recipe(torn, format), "") << name(format);
     }
 }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+namespace edaha {
+
+// Puts the manifests of all shares of a run together, in `folder`: the very manifest.csv and .json
+// that the whole run would have written. Without paths, the shares' manifests in the folder are
+// taken. Returns the number of variants. The shares stay.
+// Errors: IoError if shares are of different runs, missing, given twice or not complete.
+std::size_t merge_manifests(const std::string& folder, std::vector<std::string> paths);
+
+}  // namespace edaha
