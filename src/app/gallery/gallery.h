@@ -22,7 +22,7 @@ struct GalleryTree {
 };
 
 // How several trees stand together; a tree alone is arranged by nothing.
-using Arrangement = std::variant<std::monostate, StripParams, PosterParams>;
+using Arrangement = std::variant<std::monostate, StripParams, SheetParams, PosterParams>;
 
 // One picture of the gallery: the files PAGE/NAME.svg and PAGE/NAME.png.
 struct Plate {

@@ -23,6 +23,17 @@ constexpr std::size_t kMostInRow = 20;
 // Leaves some room beside the gaps of a row.
 constexpr int kLeastPoster_mm = 200;
 
+// Whether a sheet's cells are wide and high enough to show something beside their captions.
+bool has_room(const SheetParams& params) {
+    constexpr double kLeast_mm = 5;
+    constexpr double kCaptions = 3;  // what a caption takes, in its capitals
+    const auto cell = [&](double page_mm, int count) {
+        return (page_mm - 2 * params.margin_mm + params.gap_mm) / count - params.gap_mm;
+    };
+    return cell(params.width_mm, params.columns) >= kLeast_mm &&
+           cell(params.height_mm, params.rows) - kCaptions * params.caption_mm >= kLeast_mm;
+}
+
 class GalleryReader {
   public:
     GalleryReader(const GallerySource& source, const Catalogue& catalogue, LeafShelf& leaves)
@@ -66,6 +77,7 @@ class GalleryReader {
                                 {{"text", [&](const XmlElement& e) { read_text(e); }},
                                  {"picture", [&](const XmlElement& e) { read_picture(e); }},
                                  {"strip", [&](const XmlElement& e) { read_strip(e); }},
+                                 {"sheet", [&](const XmlElement& e) { read_sheet(e); }},
                                  {"poster", [&](const XmlElement& e) { read_poster(e); }},
                                  {"sweep", [&](const XmlElement& e) { read_sweep(e); }},
                                  {"parameters", [&](const XmlElement& e) { read_parameters(e); }},
@@ -173,6 +185,25 @@ class GalleryReader {
         plate.arrangement = strip_params(element);
         read_tiles(plate, element, trees_.read(element));
         check_row(plate.trees.size(), element);
+        page().blocks.emplace_back(add(std::move(plate), element.offset));
+    }
+
+    void read_sheet(const XmlElement& element) {
+        elements_.check_attributes(element, with_tree({"name", "caption", "width", "height",
+                                                       "columns", "lettering", "thumbnail"}));
+        Plate plate = plate_of(element);
+        SheetParams params;
+        params.width_mm = elements_.length_mm(element, "width", params.width_mm);
+        params.height_mm = elements_.length_mm(element, "height", params.height_mm);
+        params.columns = elements_.count(element, "columns", params.columns, 100);
+        params.caption_mm = elements_.length_mm(element, "lettering", params.caption_mm);
+        read_tiles(plate, element, trees_.read(element));
+        const int tiles = static_cast<int>(plate.trees.size());
+        params.rows = std::max(1, (tiles + params.columns - 1) / params.columns);
+        if (!has_room(params)) {
+            problems_.say(element.offset, "sheet: there is no room for so many pictures");
+        }
+        plate.arrangement = params;
         page().blocks.emplace_back(add(std::move(plate), element.offset));
     }
 

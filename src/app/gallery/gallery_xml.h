@@ -20,6 +20,7 @@ struct GallerySource {
 //   <text>                           paragraphs, see words.h
 //   <picture name caption TREE>      one tree
 //   <strip name caption height>      its <picture caption TREE> in one row, in one file
+//   <sheet name caption width height columns lettering>    the same in cells of equal size
 //   <poster name caption width lettering>    <row>s of them, of <picture>s, spread over the width
 //   <sweep name caption height parameter values seeds TREE>    strips over "a | b | c"
 //   <parameters groups height TREE>  an entry for each parameter, and a strip of its samples;

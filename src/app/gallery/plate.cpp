@@ -25,6 +25,12 @@ std::string to_text(const StripParams& params) {
                        shortest_text(params.caption_mm));
 }
 
+std::string to_text(const SheetParams& params) {
+    return fmt::format("sheet {} {} {} {}", shortest_text(params.width_mm),
+                       shortest_text(params.height_mm), shortest_text(params.caption_mm),
+                       params.columns);
+}
+
 std::string to_text(const PosterParams& params) {
     return fmt::format("poster {} {} {}", shortest_text(params.width_mm),
                        shortest_text(params.caption_mm), fmt::join(params.rows, " "));
@@ -41,10 +47,10 @@ PngParams png_params(const Plate& plate) {
         params.width_px = plate.thumbnail_px;
     } else if (plate.is_single()) {
         params.width_px = kThumbnail_px;
-    } else if (std::holds_alternative<PosterParams>(plate.arrangement)) {
-        params.width_px = kPoster_px;
-    } else {
+    } else if (std::holds_alternative<StripParams>(plate.arrangement)) {
         params.dpi = kStripDpi;
+    } else {
+        params.width_px = kPoster_px;
     }
     return params;
 }
@@ -91,6 +97,11 @@ Metadata metadata_of_plate(const Plate& plate, LeafShelf& leaves) {
 }
 
 Drawing arranged(const Plate& plate, const std::vector<Tile>& tiles) {
+    if (const auto* params = std::get_if<SheetParams>(&plate.arrangement)) {
+        SheetParams on_paper = *params;
+        on_paper.colours.paper = paper_of(plate);
+        return sheet_page(tiles, on_paper);
+    }
     if (const auto* params = std::get_if<PosterParams>(&plate.arrangement)) {
         PosterParams on_paper = *params;
         on_paper.colours.paper = paper_of(plate);

@@ -174,6 +174,9 @@ TEST(GalleryXml, EveryProblemIsSaidAtItsPlace) {
 TEST(GalleryXml, StripsPostersAndTextsHaveTheirProblems) {
     EXPECT_EQ(problems_of_page("<strip name='a' style='oak'><set growth.energy='5'/></strip>"),
               "g.xml:3:2: strip: there is no picture in it\n");
+    EXPECT_EQ(
+        problems_of_page("<sheet name='a' style='oak' columns='9' width='40mm'><picture/></sheet>"),
+        "g.xml:3:2: sheet: there is no room for so many pictures\n");
     EXPECT_EQ(problems_of_page("<poster name='a' style='oak' width='3cm'><row/></poster>"),
               "g.xml:3:30: width: a poster has 200 mm at least\n"
               "g.xml:3:43: row: there is no picture in it\n");
