@@ -22,6 +22,10 @@ constexpr double kSamples = 1 << 15;
 constexpr double kRowPitch = 2;
 // Where the tree is next to nothing on its page: this bounds the raster to 2 MB.
 constexpr double kMostRows = 4096;
+// Of limbs' outlines, in samples: less makes no difference to the ratio. (For leaves it does:
+// chords lie inside of round shapes, and a leaf of 64 samples' length would lose a hundredth of its
+// area.)
+constexpr double kTolerance = 0.1;
 // Samples along and across a leaf, finer than the page's.
 constexpr int kStampSide = 64;
 
@@ -78,7 +82,7 @@ class Overlap {
         const Affine raster_from_page = raster_from(box_.min, pitches);
         std::int64_t covered = 0;
         for (const Path* path : paths_)
-            covered += raster.fill(*path, raster_from_page);
+            covered += raster.fill(*path, raster_from_page, kTolerance);
         for (const Leaf& leaf : leaves_)
             covered += leaf.stamp->set_on(raster, compose(raster_from_page, leaf.page_from_stamp));
         if (covered == 0) return 0;

@@ -22,26 +22,23 @@ class BitRaster {
 
     // Sets the samples inside a path, under the non-zero rule with subpaths closed, and says how
     // many they are. A sample on the border of two shapes that share it is in one of them.
-    // Linear in segments and in rows crossed.
-    std::int64_t fill(const Path& path, const Affine& raster_from_path);
+    // Curves are taken for chords within `tolerance` samples of them. Linear in chords and in rows
+    // crossed.
+    std::int64_t fill(const Path& path, const Affine& raster_from_path, double tolerance = 0.03);
 
   private:
     friend class BitStamp;
-    struct Crossing {
-        std::int32_t row, turn;  // turn: +1 down, -1 up
-        double x;
-    };
-
     std::size_t word(int column, int row) const {
         return static_cast<std::size_t>(row) * stride_ + static_cast<std::size_t>(column >> 6);
     }
     void cross(Vec2 from, Vec2 to);
-    std::int64_t set(int row, double from, double to);
+    std::int64_t set(int row, int first, int end);
 
     int columns_, rows_;
     std::size_t stride_;  // words a row
     std::vector<std::uint64_t> words_;
-    std::vector<Crossing> crossings_;  // of one path, reused
+    // Of one path and the rows, reused: row << 32 | samples of the row before it << 1 | downwards.
+    std::vector<std::uint64_t> crossings_;
 };
 
 // A shape that is set on rasters many times over, turned and scaled: sampled once, by a raster.
