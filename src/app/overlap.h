@@ -8,10 +8,9 @@ namespace edaha {
 // areas. Limbs and leaves are those of a drawing in look "solid", each a shape or instance of its
 // own; background, ground and what is drawn on bark do not count. 0 for a drawing without any.
 // Our measure for the flatness that Mama & Nakajima asked people about (3.2).
-//   Both areas are counted on one grid, of which some hundred thousand samples lie in the tree:
-//   what
+//   Both areas are counted on one grid, of which some thirty thousand samples lie in the tree: what
 // hides nothing counts in both alike, and the ratio is right to 0.005. The same on any machine.
-// Cost: a few nanoseconds a sample, a hundred a leaf or a node of a limb's outline: 0.6 ms for a
+// Cost: a few nanoseconds a sample, some hundred a leaf or a node of a limb's outline: 0.6 ms for a
 // cherry of 2000 shapes.
 double overlap_ratio(const Drawing& drawing);
 
