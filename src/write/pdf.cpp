@@ -40,13 +40,23 @@ std::string side_text(double mm) {
     return number_text(mm * kPointsPerMm - 0.5e-4, 4);
 }
 
+std::string box_text(const Bounds& box, int decimals) {
+    std::string text = "[";
+    for (const double number : {box.min.x, box.min.y, box.max.x, box.max.y}) {
+        append_number(text, number, decimals);
+        text += ' ';
+    }
+    text.back() = ']';
+    return text;
+}
+
 }  // namespace
 
 struct PdfBook::State {
     State(Sink sink, Metadata about)
         : objects(std::move(sink)), metadata(std::move(about)), page_tree(objects.reserve()) {}
 
-    void add_page(const Drawing& drawing);
+    void add_page(const Drawing& drawing, PdfInstances instances);
     void finish();
 
   private:
@@ -56,6 +66,8 @@ struct PdfBook::State {
     };
 
     std::string states_of(const std::set<std::string>& states);
+    int form(const PdfForm& form);
+    std::string forms_of(const std::vector<PdfForm>& forms);
     std::string groups_of(const std::vector<Layer>& layers);
     std::string layer_list() const;
 
@@ -65,6 +77,7 @@ struct PdfBook::State {
     std::vector<int> pages;
     std::vector<LayerGroup> groups;     // bottom first
     std::map<std::string, int> states;  // by name
+    std::map<std::string, int> forms;   // by all that they hold
 };
 
 // 8.4.5: /ca is of fills, /CA of strokes.
@@ -81,6 +94,26 @@ std::string PdfBook::State::states_of(const std::set<std::string>& names) {
         }
         entry += '/' + name + ' ' + pdf_reference(known->second);
     }
+    return entry + ">>";
+}
+
+int PdfBook::State::form(const PdfForm& form) {
+    const std::string entries = "/Type/XObject/Subtype/Form/BBox" +
+                                box_text(form.box, form.decimals) + "/Resources<<" +
+                                states_of(form.operators.states) + ">>";
+    const auto [known, added] = forms.try_emplace(entries + form.operators.text, 0);
+    if (added) {
+        known->second = objects.reserve();
+        objects.write_stream(known->second, {entries, form.operators.text});
+    }
+    return known->second;
+}
+
+std::string PdfBook::State::forms_of(const std::vector<PdfForm>& all) {
+    if (all.empty()) return "";
+    std::string entry = "/XObject<<";
+    for (std::size_t i = 0; i < all.size(); ++i)
+        entry += "/F" + std::to_string(i) + ' ' + pdf_reference(form(all[i]));
     return entry + ">>";
 }
 
@@ -103,11 +136,14 @@ std::string PdfBook::State::groups_of(const std::vector<Layer>& layers) {
     return entry + ">>";
 }
 
-void PdfBook::State::add_page(const Drawing& drawing) {
-    const PdfContent content = pdf_content(drawing);
-    const std::string resources = states_of(content.states) + groups_of(drawing.layers);
+void PdfBook::State::add_page(const Drawing& drawing, PdfInstances instances) {
+    const PdfContent content = pdf_content(drawing, instances);
+    const std::string resources =
+        states_of(content.operators.states) + forms_of(content.forms) + groups_of(drawing.layers);
     const int stream = objects.reserve();
-    objects.write_stream(stream, "", content.operators);
+    objects.write_stream(stream, {"", content.operators.text,
+                                  instances == PdfInstances::forms ? PdfObjects::Packing::quick
+                                                                   : PdfObjects::Packing::small});
     pages.push_back(objects.write(
         "<</Type/Page/Parent " + pdf_reference(page_tree) + "/MediaBox[0 0 " +
         side_text(drawing.width_mm) + ' ' + side_text(drawing.height_mm) + "]/Resources<<" +
@@ -142,7 +178,7 @@ PdfBook::~PdfBook() = default;
 PdfBook::PdfBook(PdfBook&&) noexcept = default;
 
 void PdfBook::add_page(const Drawing& drawing) {
-    state_->add_page(drawing);
+    state_->add_page(drawing, PdfInstances::forms);
 }
 
 void PdfBook::finish() {
@@ -151,8 +187,8 @@ void PdfBook::finish() {
 
 std::string pdf_bytes(const Drawing& drawing) {
     std::string bytes;
-    PdfBook book([&](std::string_view piece) { bytes += piece; }, drawing.metadata);
-    book.add_page(drawing);
+    PdfBook::State book([&](std::string_view piece) { bytes += piece; }, drawing.metadata);
+    book.add_page(drawing, PdfInstances::paths);
     book.finish();
     return bytes;
 }

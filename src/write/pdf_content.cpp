@@ -18,11 +18,7 @@ namespace {
 constexpr int kChannelDecimals = 3;  // tells the 256 steps of a channel apart
 constexpr int kScaleDecimals = 6;
 
-// The operators of one stream, and the states that they name.
-struct Stream {
-    std::string text;
-    std::set<std::string> states;
-
+struct Stream : PdfOperators {
     void colour(Colour colour, const char* op) {
         for (const int channel : {colour.r, colour.g, colour.b}) {
             append_number(text, channel / 255.0, kChannelDecimals);
@@ -51,10 +47,14 @@ class StampWriter {
     StampWriter(bool filled, bool stroked, int decimals)
         : filled_(filled), stroked_(stroked), decimals_(decimals) {}
 
-    Stream write(const Symbol& symbol) {
+    PdfForm write(const Symbol& symbol) {
         for (const Shape& shape : symbol.shapes)
             add(shape, &shape == &symbol.shapes.back());
-        return std::move(stream_);
+        // Some air, so that no edge is cut by rounding; much of it for a pen of unknown width.
+        const double air = extent(symbol) * (takes_pen_ ? 1 : 0.05);
+        box_.min -= air;
+        box_.max += air;
+        return {std::move(stream_), box_, decimals_};
     }
 
   private:
@@ -81,6 +81,14 @@ class StampWriter {
             stream_.text += path + "S\n";
         }
         if (apart) stream_.text += "Q\n";
+        include(shape, strokes);
+    }
+
+    void include(const Shape& shape, bool strokes) {
+        takes_pen_ |= strokes && shape.paint.stroke_width_mm == 0;
+        const double pen = strokes ? shape.paint.stroke_width_mm / 2 : 0;
+        const Bounds path = bounds(shape.path);
+        box_.include(Bounds{path.min - pen, path.max + pen});
     }
 
     // Who sets the ink sets the opacity with it.
@@ -92,6 +100,8 @@ class StampWriter {
     bool filled_, stroked_;
     int decimals_;
     Stream stream_;
+    Bounds box_;
+    bool takes_pen_ = false;
 };
 
 // What a symbol leaves to its instances.
@@ -111,8 +121,9 @@ Needs needs_of(const Symbol& symbol) {
 
 class ContentWriter {
   public:
-    explicit ContentWriter(const Drawing& drawing)
+    ContentWriter(const Drawing& drawing, PdfInstances instances)
         : drawing_(drawing),
+          instances_(instances),
           decimals_(page_decimals(drawing.width_mm, drawing.height_mm)),
           precision_(symbol_precision(drawing, decimals_)) {
         for (const Symbol& symbol : drawing.symbols)
@@ -130,7 +141,7 @@ class ContentWriter {
             add(drawing_.layers[i].children, inherit({}, drawing_.layers[i].paint));
             page_.text += "Q\nEMC\n";
         }
-        return {std::move(page_.text), std::move(page_.states)};
+        return {std::move(page_), std::move(forms_)};
     }
 
   private:
@@ -181,13 +192,19 @@ class ContentWriter {
         page_.text += "Q\n";
     }
 
+    // What draws a symbol once the state and the map are set.
     const std::string& stamp(std::uint32_t symbol, bool filled, bool stroked) {
         const auto [known, added] = stamps_.try_emplace({symbol, filled, stroked});
         if (added) {
             StampWriter writer(filled, stroked, precision_[symbol].points);
-            Stream stream = writer.write(drawing_.symbols[symbol]);
-            page_.states.merge(stream.states);
-            known->second = std::move(stream.text);
+            PdfForm form = writer.write(drawing_.symbols[symbol]);
+            if (instances_ == PdfInstances::forms) {
+                known->second = "/F" + std::to_string(forms_.size()) + " Do\n";
+                forms_.push_back(std::move(form));
+            } else {
+                page_.states.merge(form.operators.states);
+                known->second = std::move(form.operators.text);
+            }
         }
         return known->second;
     }
@@ -212,19 +229,21 @@ class ContentWriter {
     }
 
     const Drawing& drawing_;
+    PdfInstances instances_;
     int decimals_;
     std::vector<SymbolPrecision> precision_;
     std::vector<Needs> needs_;
     std::map<std::tuple<std::uint32_t, bool, bool>, std::string> stamps_;
     InheritedPaint now_;  // the graphics state, as far as it was set
     Stream page_;
+    std::vector<PdfForm> forms_;
     std::string path_;  // of one shape, reused
 };
 
 }  // namespace
 
-PdfContent pdf_content(const Drawing& drawing) {
-    return ContentWriter(drawing).write();
+PdfContent pdf_content(const Drawing& drawing, PdfInstances instances) {
+    return ContentWriter(drawing, instances).write();
 }
 
 }  // namespace edaha

@@ -18,14 +18,18 @@ namespace {
 
 constexpr std::size_t kUnwritten = 0;
 
+// zlib's own choice (above it, the files of trees get no smaller) and its quickest.
+constexpr int kSmall = 6, kQuick = 1;
+
 // 1.5 has layers. Bytes above 127 tell programs that the file is not text: 7.5.2.
 constexpr std::string_view kHead = "%PDF-1.5\n%\xe6\x9e\x9d\xe8\x91\x89\n";
 
-std::string deflated(std::string_view content) {
+std::string deflated(std::string_view content, int level) {
     std::string packed(compressBound(content.size()), '\0');
     uLongf size = packed.size();
-    const int status = compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-                                 reinterpret_cast<const Bytef*>(content.data()), content.size(), 9);
+    const int status =
+        compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+                  reinterpret_cast<const Bytef*>(content.data()), content.size(), level);
     if (status != Z_OK) throw std::bad_alloc();
     packed.resize(size);
     return packed;
@@ -74,10 +78,12 @@ int PdfObjects::write(std::string_view object) {
     return number;
 }
 
-void PdfObjects::write_stream(int number, std::string_view entries, std::string_view content) {
-    const std::string packed = deflated(content);
+void PdfObjects::write_stream(int number, const Stream& stream) {
+    const int level = stream.packing == Packing::small ? kSmall : kQuick;
+    const std::string packed = deflated(stream.content, level);
     begin(number);
-    put(fmt::format("<<{}/Filter/FlateDecode/Length {}>>\nstream\n", entries, packed.size()));
+    put(fmt::format("<<{}/Filter/FlateDecode/Length {}>>\nstream\n", stream.entries,
+                    packed.size()));
     put(packed);
     put("\nendstream\nendobj\n");
 }

@@ -15,6 +15,10 @@ namespace edaha {
 // bytes (of one version of zlib).
 class PdfObjects {
   public:
+    // What says the same again and again gets far smaller by the first; for numbers that never
+    // repeat, the second takes a quarter of the time, and a sixth more bytes.
+    enum class Packing { small, quick };
+
     explicit PdfObjects(Sink sink);
 
     // A number for an object that is written later, to refer to it.
@@ -23,7 +27,12 @@ class PdfObjects {
     int write(std::string_view object);
 
     // `entries` stand in the stream's dictionary beside its length and filter.
-    void write_stream(int number, std::string_view entries, std::string_view content);
+    struct Stream {
+        std::string_view entries;
+        std::string_view content;
+        Packing packing = Packing::small;
+    };
+    void write_stream(int number, const Stream& stream);
 
     // Every reserved number must have been written. Nothing may follow.
     void finish(int catalogue, int information);

@@ -5,6 +5,7 @@
 #include "readers/pictures.h"
 #include "support/image_diff.h"
 #include "support/run.h"
+#include "write/pdf.h"
 
 namespace edaha::test {
 namespace {
@@ -26,7 +27,11 @@ TEST(Sheets, OfAllKindsReadTheSameAsSvgAndPdf) {
     EXPECT_EQ(check(sheet), std::vector<std::string>{});
     const TemporaryFolder folder;
     write_whole(folder / "sheet.svg", in_format(sheet, Format::svg));
-    write_whole(folder / "sheet.pdf", in_format(sheet, Format::pdf));
+    std::string bytes;
+    PdfBook book([&](std::string_view piece) { bytes += piece; }, sheet.metadata);
+    book.add_page(sheet);
+    book.finish();
+    write_whole(folder / "sheet.pdf", bytes);
     const RunResult svg =
         run("rsvg-convert -w 1200 -o " + folder / "svg.png" + ' ' + folder / "sheet.svg");
     const RunResult pdf = run("pdftocairo -png -singlefile -scale-to-x 1200 -scale-to-y -1 " +

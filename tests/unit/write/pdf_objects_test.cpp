@@ -18,7 +18,7 @@ std::string file_of(std::string_view content) {
     PdfObjects objects([&](std::string_view piece) { bytes += piece; });
     const int stream = objects.reserve();
     const int information = objects.write("<<>>");
-    objects.write_stream(stream, "", content);
+    objects.write_stream(stream, {"", content});
     objects.finish(information, information);
     return bytes;
 }

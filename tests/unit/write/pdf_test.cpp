@@ -148,6 +148,34 @@ TEST(PdfBook, TheSamePagesAreTheSameBytes) {
     EXPECT_FALSE(bytes == book_of({drawing, drawing}));
 }
 
+// Forms or paths: what is shown is the same.
+TEST(PdfBook, FormsShowWhatPathsShow) {
+    const test::TemporaryFolder folder;
+    const Drawing drawing = test::sample_drawing();
+    test::write_whole(folder / "paths.pdf", pdf_bytes(drawing));
+    test::write_whole(folder / "forms.pdf", book_of({drawing}));
+    for (const char* name : {"paths", "forms"}) {
+        const auto result =
+            test::run("pdftocairo -r 100 -png -singlefile " +
+                      quoted(folder / (std::string(name) + ".pdf")) + ' ' + quoted(folder / name));
+        EXPECT_EQ(result.out + result.err, "");
+    }
+    const auto difference = test::compare_images(folder / "paths.png", folder / "forms.png");
+    EXPECT_EQ(difference.note, "");
+    EXPECT_LT(difference.inked_mean, 1e-3);
+}
+
+// A book holds each symbol once: how large it is costs its instances nothing.
+TEST(PdfBook, InstancesAreSmallHoweverLargeTheSymbol) {
+    Drawing few = test::field_drawing(0, 100), many = test::field_drawing(0, 2100);
+    for (Drawing* drawing : {&few, &many}) {
+        std::vector<Shape>& shapes = drawing->symbols[0].shapes;
+        shapes.resize(500, shapes[0]);
+    }
+    EXPECT_LT(book_of({many}).size() - book_of({few}).size(), 2000U * 40);
+    EXPECT_LT(book_of({many, many}).size(), 2 * book_of({many}).size());
+}
+
 // An instance costs its map: the packer finds the rest said before.
 TEST(Pdf, InstancesAreSmall) {
     const std::size_t few = pdf_bytes(test::field_drawing(0, 100)).size();
