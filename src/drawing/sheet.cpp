@@ -20,7 +20,6 @@ namespace {
 constexpr double kCardPadding_mm = 3;
 constexpr double kCaptionDrop = 2.0;   // from the picture to the caption's base line, in capitals
 constexpr double kCaptionDepth = 2.6;  // to below its descenders
-constexpr double kShortestCell_mm = 1;
 
 // What of a tile is drawn, and what it stands on, in its own millimetres.
 struct Stand {
@@ -174,7 +173,7 @@ struct Grid {
                 params.gap_mm;
         pitch = (params.height_mm - top - params.margin_mm + params.gap_mm) / params.rows;
         height = pitch - params.gap_mm - caption_depth(capital);
-        assert(width >= kShortestCell_mm && height >= kShortestCell_mm);
+        assert(width >= 1 && height >= 1);
     }
 
     double scale(const CommonBox& common) const {

@@ -33,8 +33,8 @@ TEST(Sheets, OfAllKindsReadTheSameAsSvgAndPdf) {
     book.finish();
     write_whole(folder / "sheet.pdf", bytes);
     const RunResult svg =
-        run("rsvg-convert -w 1200 -o " + folder / "svg.png" + ' ' + folder / "sheet.svg");
-    const RunResult pdf = run("pdftocairo -png -singlefile -scale-to-x 1200 -scale-to-y -1 " +
+        run("rsvg-convert -w 900 -o " + folder / "svg.png" + ' ' + folder / "sheet.svg");
+    const RunResult pdf = run("pdftocairo -png -singlefile -scale-to-x 900 -scale-to-y -1 " +
                               folder / "sheet.pdf" + ' ' + folder / "pdf");
     EXPECT_EQ(svg.out + svg.err + pdf.out + pdf.err, "");
     const ImageDifference difference = compare_images(folder / "svg.png", folder / "pdf.png");
