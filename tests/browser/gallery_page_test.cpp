@@ -87,9 +87,9 @@ TEST_F(GalleryPage, WhatIsBrokenIsSeen) {
     ASSERT_EQ(sh("edaha gallery gallery.xml && rm trees/two.png trees/both.svg").exit_code, 0);
     const Visit broken = visit("", "", "1300,900");
     EXPECT_EQ(broken.complaints,
-              "no thumbnail: trees/two.png\n"
               "another size than it says: trees/two.png\n"
-              "no picture: trees/both.svg");
+              "no picture: trees/both.svg\n"
+              "no thumbnail: trees/two.png");
     const Visit thrown = visit("", "<script>throw new Error('on purpose');</script>", "1300,901");
     EXPECT_NE(thrown.console.find("on purpose"), std::string::npos);
     const Visit deaf = visit("",

@@ -34,7 +34,7 @@
   });
 
   async function everyPictureLoads() {
-    for (const item of pictures) {
+    await Promise.all(pictures.map(async (item) => {
       const thumbnail = sheet(item).querySelector("img");
       thumbnail.loading = "eager";
       check(await loads(thumbnail), "no thumbnail: " + thumbnail.getAttribute("src"));
@@ -44,7 +44,8 @@
       const full = new Image();
       full.src = sheet(item).href;
       check(await loads(full), "no picture: " + sheet(item).getAttribute("href"));
-    }
+    }));
+    complaints.sort();
   }
 
   function searchFinds() {

@@ -124,7 +124,9 @@ TEST_F(GalleryCommand, WhatIsWrongIsSaidAndNothingDrawn) {
 TEST_F(GalleryCommand, FilesOfOthersAreLeftAlone) {
     write("gallery/README.md", "My own.");
     expect("edaha gallery", 1, "",
-           "edaha: 'gallery/README.md' is there already, and edaha gallery has not written it\n");
+           "edaha: 'gallery/README.md' is there already, and edaha gallery has not written it "
+           "(move it "
+           "away)\n");
     EXPECT_EQ(read("gallery/README.md"), "My own.");
     EXPECT_FALSE(exists("gallery/trees"));
 }

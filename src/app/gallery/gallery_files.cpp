@@ -90,7 +90,7 @@ void refuse_to_replace(const Gallery& gallery, const fs::path& folder) {
         const auto text = read_if_there(path);
         if (!text || text->find(kPageMark) != std::string::npos) continue;
         throw IoError("'" + path.string() +
-                      "' is there already, and edaha gallery has not written it");
+                      "' is there already, and edaha gallery has not written it (move it away)");
     }
 }
 
