@@ -42,7 +42,21 @@ void add_gallery(CLI::App& app, Options& options) {
                      "write nothing; name what is not as it would be drawn");
     add_text(gallery, "--jobs", options.gallery.jobs, "N", "pictures at a time; all processors");
     add_json(gallery, options);
-    gallery.footer("Examples:\n  edaha gallery\n  edaha gallery --check docs/gallery.xml");
+    gallery.footer(
+        "Examples:\n"
+        "  edaha gallery\n"
+        "  edaha gallery --check docs/gallery.xml\n"
+        "A gallery.xml:\n"
+        "  <gallery title=\"My trees\">\n"
+        "    <page name=\"oaks\" title=\"Oaks\">\n"
+        "      <text>Grown for *my* book.</text>\n"
+        "      <picture name=\"old\" style=\"oak\" seed=\"7\" caption=\"An old oak\">\n"
+        "        <set growth.energy=\"800\"/>\n"
+        "      </picture>\n"
+        "      <sweep name=\"leaning\" style=\"oak\" parameter=\"growth.lean\" values=\"0 | 10 | "
+        "20\"/>\n"
+        "    </page>\n"
+        "  </gallery>");
 }
 
 void add_measure(CLI::App& app, Options& options) {

@@ -56,6 +56,7 @@
   function showPage(name) {
     page = name;
     filter();
+    document.querySelector(".pages a[aria-current='true']").scrollIntoView({ block: "nearest", inline: "nearest" });
     var bar = document.querySelector(".bar");
     if (window.scrollY > bar.offsetTop) window.scrollTo(0, document.querySelector(".masthead").offsetHeight);
   }
