@@ -121,6 +121,18 @@ TEST_F(GalleryCommand, WhatIsWrongIsSaidAndNothingDrawn) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "gallery/p"));
 }
 
+TEST_F(GalleryCommand, TheHelpShowsAGalleryThatCanBeDrawn) {
+    expect(
+        "edaha gallery --help | sed '1,/^A gallery.xml/d' >help.xml && edaha gallery help.xml && "
+        "ls oaks",
+        0, "leaning.png\nleaning.svg\nold.png\nold.svg\n", "edaha: drew 2 of 2 pictures\n");
+}
+
+TEST_F(GalleryCommand, OurOwnIsWhatIsDrawnNow) {
+    if (!std::filesystem::exists(PROJECT_DIR "/gallery/gallery.xml")) GTEST_SKIP();
+    expect("cd " + test::quoted(PROJECT_DIR) + " && edaha gallery --check", 0, "", "");
+}
+
 TEST_F(GalleryCommand, FilesOfOthersAreLeftAlone) {
     write("gallery/README.md", "My own.");
     expect("edaha gallery", 1, "",
