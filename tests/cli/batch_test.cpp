@@ -422,6 +422,34 @@ TEST_F(Batch, ATerminalSeesABarThatIsGoneInTheEnd) {
     EXPECT_EQ(good("edaha batch my.xml -n 5 -o plain").err.find('\x1b'), std::string::npos);
 }
 
+TEST_F(Batch, SheetsShowAllVariantsAndAreDrawnOnlyWhenSomethingChanged) {
+    const std::string batch = "edaha batch my.xml -n 26 --set growth.energy=5 --sheet -o ";
+    good(batch + "whole");
+    const auto whole = files_of("whole");
+    for (const char* file : {"sheet-01.svg", "sheet-02.svg", "sheet.pdf"})
+        EXPECT_TRUE(whole.contains(file)) << file;
+    // Without sheets first, then with them: nothing is written twice.
+    good("edaha batch my.xml -n 26 --set growth.energy=5 -o out");
+    EXPECT_TRUE(good(batch + "out --resume").err.starts_with("edaha: drew 0 of 26 variants"));
+    EXPECT_EQ(files_of("out"), whole);
+    const auto written = fs::last_write_time(folder_ / "out/sheet.pdf");
+    good(batch + "out --resume");
+    EXPECT_EQ(fs::last_write_time(folder_ / "out/sheet.pdf"), written);
+    fs::remove(folder_ / "out/sheet-02.svg");
+    good(batch + "out --resume");
+    EXPECT_EQ(files_of("out"), whole);
+    expect(batch + "out --shard 1/2", 2, "",
+           "edaha: --sheet shows all variants, not a share: after --merge, --resume --sheet draws "
+           "it\n");
+    expect(batch + "new --name 'sheet-{seed}'", 2, "",
+           "edaha: --name: 'sheet-1' is a contact sheet's name\n");
+    expect("edaha batch my.xml -n 2 -o new --sheet=png", 2, "",
+           "edaha: --sheet: 'png' is not known (expected svg or pdf)\n");
+    good("edaha batch my.xml -n 2 -o new --sheet=svg --set growth.energy=5");
+    EXPECT_TRUE(exists("new/sheet-01.svg"));
+    EXPECT_FALSE(exists("new/sheet.pdf"));
+}
+
 TEST_F(Batch, ReportsAsJson) {
     const RunResult run = good("edaha batch my.xml -n 3 -o out --json --quiet --format svg,pdf");
     EXPECT_EQ(run.err, "");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <ostream>
@@ -15,8 +16,10 @@
 #include "app/batch/progress.h"
 #include "app/batch/run_variants.h"
 #include "app/batch/shard.h"
+#include "app/batch/sheet_book.h"
 #include "app/batch/stop_signals.h"
 #include "app/commands.h"
+#include "app/version.h"
 #include "base/error.h"
 
 namespace edaha {
@@ -41,6 +44,24 @@ double seconds_now() {
     return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
+// "svg,pdf"; "true": both, as the option without a value.
+std::vector<Format> read_sheet(const BatchOptions& options) {
+    if (options.sheet.empty()) return {};
+    if (!options.shard.empty()) {
+        throw UsageError(
+            "--sheet shows all variants, not a share: after --merge, --resume --sheet draws it");
+    }
+    if (options.sheet == "true") return {Format::svg, Format::pdf};
+    const std::vector<Format> formats = parse_formats(options.sheet);
+    for (const Format format : formats) {
+        if (format != Format::svg && format != Format::pdf) {
+            throw UsageError(
+                fmt::format("--sheet: '{}' is not known (expected svg or pdf)", name(format)));
+        }
+    }
+    return formats;
+}
+
 void check_options(const Options& options) {
     const BatchOptions& batch = options.batch;
     if (options.output.empty()) fail_usage("-o is missing");
@@ -59,8 +80,10 @@ class Batch {
           leaves_(catalogue_),
           shard_(parse_shard(options.batch.shard)),
           jobs_(read_jobs(options.batch.jobs)),
+          sheet_formats_(read_sheet(options.batch)),
           plan_(options, catalogue_, leaves_, console),
           variants_(shard_.size(plan_.variants())),
+          book_(sheet_params()),
           start_(seconds_now()) {}
 
     int run() {
@@ -76,6 +99,21 @@ class Batch {
     }
 
   private:
+    SheetBookParams sheet_params() const {
+        SheetBookParams params;
+        params.folder = options_.output;
+        params.tiles = variants_;
+        params.svg = std::ranges::count(sheet_formats_, Format::svg) > 0;
+        params.pdf = std::ranges::count(sheet_formats_, Format::pdf) > 0;
+        params.cards = plan_.varies_paper();
+        params.heading = plan_.title();
+        params.metadata.title = plan_.title();
+        params.metadata.command = plan_.command();
+        params.metadata.version = kVersion;
+        params.metadata.recipe = plan_.recipe();
+        return params;
+    }
+
     std::string journal_path() const {
         return (fs::path(options_.output) / (".manifest" + shard_infix(shard_) + ".journal"))
             .string();
@@ -98,6 +136,8 @@ class Batch {
         }
         for (const char* ending : {".csv", ".json"})
             look_at(manifest_path(options_.output, shard_) + ending);
+        for (const std::string& file : book_.files())
+            look_at(file);
         if (count == 0) return;
         throw IoError(fmt::format(
             "'{}' is there already{} (--resume keeps what is still right, --force overwrites)",
@@ -118,8 +158,10 @@ class Batch {
     }
 
     void draw_all(Journal& journal) {
+        const bool resume = options_.batch.resume;
+        const bool sheets = !sheet_formats_.empty() && !(resume && book_.is_right(options_.force));
         const VariantFiles files(plan_, leaves_, journal,
-                                 {options_.output, options_.batch.resume, options_.force, false});
+                                 {options_.output, resume, options_.force, sheets});
         const bool shows = !options_.batch.quiet;
         Progress progress(console_.err, variants_, console_.err_columns, start_);
         const StopSignals signals;
@@ -131,6 +173,7 @@ class Batch {
                 for (const std::string& row : drawn.rows)
                     journal.append(row);
                 count(drawn, progress);
+                if (drawn.tile) book_.add(std::move(*drawn.tile));
                 if (shows) progress.advance(++taken, seconds_now());
             });
         progress.clear();
@@ -150,12 +193,21 @@ class Batch {
 
     void finish(Journal& journal) {
         const bool complete = report_.done == variants_;
+        if (complete) finish_sheets();
         try {
             write_manifest(options_.output, manifest_head(plan_, shard_),
                            [&] { return journal.next_line(); });
             if (complete || !journal.knows_earlier_rows()) journal.remove();
         } catch (const IoError&) {
             if (!report_.error) throw;  // else it is most likely the same, a full disk
+        }
+    }
+
+    void finish_sheets() {
+        try {
+            book_.finish();
+        } catch (const IoError&) {
+            report_.error = std::current_exception();
         }
     }
 
@@ -200,8 +252,10 @@ class Batch {
     LeafShelf leaves_;
     Shard shard_;
     std::size_t jobs_;
+    std::vector<Format> sheet_formats_;
     BatchPlan plan_;
     std::size_t variants_;  // of the share
+    SheetBook book_;
     double start_;
     RunReport report_;
     int signal_ = 0;

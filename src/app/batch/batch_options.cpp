@@ -32,6 +32,8 @@ void add_where(CLI::App& app, Options& options) {
     add_text(app, "--format", options.format, "FORMAT",
              "svg, svgz, pdf, png, eps, or several: svg,pdf");
     add_write(app, options.write);
+    app.add_flag("--sheet", batch.sheet,
+                 "contact sheets as SVG and PDF; --sheet=svg or --sheet=pdf: only these");
 }
 
 void add_how(CLI::App& app, Options& options) {

@@ -32,6 +32,17 @@ std::string palette_option(const Style& style, const std::string& name) {
     return name == kMainPalette && !has_palette(style, name) ? "" : name;
 }
 
+bool names_drawings(const Variation& variation) {
+    return variation.parameter != nullptr &&
+           std::holds_alternative<Reference>(variation.parameter->field);
+}
+
+// "sheet", "sheet-01".
+bool is_sheet_name(const std::string& name) {
+    return name == "sheet" || (name.starts_with("sheet-") && name.size() > 6 &&
+                               name.find_first_not_of("0123456789", 6) == std::string::npos);
+}
+
 std::size_t read_first_seed(const std::string& text, std::size_t count) {
     const auto most = static_cast<std::size_t>(find_parameter("variant.seed")->limits.most);
     return text.empty() ? 1 : parse_count("--seed-from", text, 0, most - (count - 1));
@@ -69,6 +80,7 @@ BatchPlan::BatchPlan(const Options& options, const Catalogue& catalogue, LeafShe
       write_(options.write),
       formats_(parse_formats(options.format)),
       pattern_(options.batch.name.empty() ? kDefaultName : options.batch.name),
+      has_sheets_(!options.batch.sheet.empty()),
       command_(plan_command(options)) {
     read_variations(options);
     read_styles(options.batch.sources, catalogue, console);
@@ -111,7 +123,7 @@ void BatchPlan::check_styles(LeafShelf& leaves) const {
 // Palettes and leaf drawings, which its values may name.
 void BatchPlan::check_names_in(const Variation& variation, LeafShelf& leaves) const {
     const bool is_palette = variation.parameter == nullptr;
-    if (!is_palette && !std::holds_alternative<Reference>(variation.parameter->field)) return;
+    if (!is_palette && !names_drawings(variation)) return;
     for (const std::string& value : variation.values) {
         if (!is_palette && !value.empty()) leaves.leaf(value);
         for (const TreeStyle& base : bases_) {
@@ -127,7 +139,7 @@ void BatchPlan::check_names() const {
     std::vector<HashedName> names;
     names.reserve(variants());
     for (std::size_t i = 0; i < variants(); ++i)
-        names.push_back({name_key(name(i)), i});
+        names.push_back({name_key(checked_name(i)), i});
     std::ranges::sort(names);
     std::size_t first = 0, second = variants();
     for (std::size_t i = 1; i < names.size(); ++i) {
@@ -163,6 +175,11 @@ std::string BatchPlan::make_recipe(LeafShelf& leaves) const {
         const TreeStyle first = tree(i * per_style_);
         recipe.add(metadata_of(first, write_params(write_, first.style), leaves).recipe);
         recipe.add(to_xml(bases_[i].style));
+    }
+    for (const Variation& variation : variations_) {
+        if (!names_drawings(variation)) continue;
+        for (const std::string& value : variation.values)
+            if (!value.empty()) recipe.add(leaves.fingerprint(value));
     }
     return recipe.text();
 }
@@ -219,9 +236,35 @@ std::string BatchPlan::name(std::size_t index) const {
     return pattern_.name([&](const std::string& field) { return field_text(field, index); });
 }
 
+std::string BatchPlan::checked_name(std::size_t index) const {
+    std::string checked = name(index);
+    if (has_sheets_ && is_sheet_name(checked))
+        throw UsageError(fmt::format("--name: {} is a contact sheet's name", in_quotes(checked)));
+    return checked;
+}
+
 std::string BatchPlan::describe(std::size_t index) const {
     return fmt::format("{} with seed {}", bases_[index / per_style_].style.name,
                        position(index).seed);
+}
+
+bool BatchPlan::varies_paper() const {
+    const Parameter* const paper = find_parameter("palette.paper");
+    for (const Variation& variation : variations_) {
+        const bool colours = variation.parameter == nullptr || variation.parameter == paper;
+        if (colours && variation.kind != Variation::Kind::fixed) return true;
+    }
+    const Colour first = tree(0).style.palette.paper;
+    for (std::size_t i = 0; i < variants(); i += per_style_)
+        if (tree(i).style.palette.paper != first) return true;
+    return false;
+}
+
+std::string BatchPlan::title() const {
+    std::string names;
+    for (const TreeStyle& base : bases_)
+        names += (names.empty() ? "" : ", ") + base.style.name;
+    return fmt::format("{}, seeds {} to {}", names, first_seed_, first_seed_ + per_style_ - 1);
 }
 
 Variant BatchPlan::variant(std::size_t index) const {

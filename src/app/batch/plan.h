@@ -43,6 +43,10 @@ class BatchPlan {
     // in the styles themselves. Not the seed.
     const std::vector<const Parameter*>& differing() const { return differing_; }
     bool varies_palette() const;
+    bool varies_paper() const;
+
+    // "cherry, oak, seeds 1 to 500"
+    std::string title() const;
 
     // The batch again, without what decides only where, how fast and which share.
     const std::string& command() const { return command_; }
@@ -64,6 +68,7 @@ class BatchPlan {
     TreeStyle tree(std::size_t index) const;
     std::string palette(std::size_t index) const;
     std::string field_text(const std::string& field, std::size_t index) const;
+    std::string checked_name(std::size_t index) const;
     std::string describe(std::size_t index) const;
 
     std::vector<TreeStyle> bases_;
@@ -75,6 +80,7 @@ class BatchPlan {
     WriteOptions write_;
     std::vector<Format> formats_;
     NamePattern pattern_;
+    bool has_sheets_;
     std::vector<const Parameter*> differing_;
     std::string command_;
     std::string recipe_;

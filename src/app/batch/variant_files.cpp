@@ -6,8 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "app/batch/present_file.h"
 #include "app/overlap.h"
-#include "base/atomic_file.h"
 #include "base/error.h"
 #include "drawing/statistics.h"
 
@@ -16,18 +16,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Larger ones are no pictures of ours, or not worth reading to spare drawing.
-constexpr std::size_t kMostFileBytes = std::size_t{1} << 30;
-
-// Files of ours name their program, where they are not packed. An empty one is what a crash of the
-// system may leave.
-bool may_be_ours(std::string_view bytes) {
-    return bytes.empty() || bytes.find("edaha") != std::string_view::npos;
+// Captions are quieter than the trees: like their wood, or on dark paper nearly white.
+Colour caption_ink(const Palette& palette) {
+    constexpr Colour kWhite{0xff, 0xff, 0xff};
+    const Colour paper = palette.paper;
+    const bool dark = paper.r + paper.g + paper.b < 3 * 0x80;
+    return dark ? mixed(paper, kWhite, 0.7) : mixed(paper, palette.wood, 0.9);
 }
 
 void append(std::vector<std::string>& texts, const std::vector<std::string>& more) {
     for (const std::string& text : more)
         if (std::ranges::count(texts, text) == 0) texts.push_back(text);
+}
+
+SheetTile tile_of(Drawing&& drawing, const Style& style, std::size_t index) {
+    const Palette& palette = style.palette;
+    SheetTile tile{{}, palette.paper, caption_ink(palette)};
+    tile.tile.drawing = std::move(drawing);
+    tile.tile.id = fmt::format("tree-{:04}", index + 1);
+    tile.tile.caption = fmt::format("{} {:04}", style.name, style.energy.variant.seed);
+    return tile;
 }
 
 }  // namespace
@@ -42,26 +50,16 @@ void make_folders(const std::string& folder) {
     }
 }
 
-bool VariantFiles::is_right(const FileRow& row, Format format) const {
-    const std::string path = path_of(row);
-    std::error_code ignored;
-    if (!params_.resume || !fs::exists(path, ignored)) return false;
-    const std::string bytes = read_file(path, kMostFileBytes);
-    const std::string recorded = recorded_recipe(bytes, format);
-    if (recorded.empty() && !may_be_ours(bytes) && !params_.force)
-        throw IoError(fmt::format("'{}' is none of edaha's files (--force overwrites it)", path));
-    return recorded == row.recipe;
-}
-
 VariantFiles::Wanted VariantFiles::look_at(const std::string& variant, Format format,
                                            const std::string& recipe) const {
     Wanted wanted;
     wanted.format = format;
     wanted.row.file = variant + '.' + std::string(name(format));
     wanted.row.recipe = recipe;
-    wanted.right = is_right(wanted.row, format);
+    const std::string path = path_of(wanted.row);
+    wanted.right = params_.resume && has_recipe({path, format, params_.force}, recipe);
     if (!wanted.right) return wanted;
-    wanted.row.bytes = fs::file_size(path_of(wanted.row));
+    wanted.row.bytes = fs::file_size(path);
     if (auto known = journal_.find(wanted.row.file, recipe)) {
         wanted.row = std::move(*known);
         wanted.measured = true;
@@ -109,7 +107,7 @@ DrawnVariant VariantFiles::draw(std::size_t index) const {
 
     DrawnVariant drawn;
     const bool all_measured = std::ranges::all_of(files, &Wanted::measured);
-    if (!all_measured || params_.keep_drawing) {
+    if (!all_measured || params_.tiles) {
         Picture picture = draw_picture(style, leaves_.loader());
         picture.drawing.metadata = metadata;
         const Measures measures = all_measured ? Measures{} : measure(picture, style);
@@ -117,7 +115,7 @@ DrawnVariant VariantFiles::draw(std::size_t index) const {
             if (!file.measured) file.row.measures = measures;
             if (!file.right) write(file, picture, params, drawn);
         }
-        if (params_.keep_drawing) drawn.drawing = std::move(picture.drawing);
+        if (params_.tiles) drawn.tile = tile_of(std::move(picture.drawing), style, index);
     }
     for (const Wanted& file : files)
         drawn.rows.push_back(row_json(file.row, variant, plan_));

@@ -6,15 +6,16 @@
 
 #include "app/batch/journal.h"
 #include "app/batch/plan.h"
+#include "app/batch/sheet_book.h"
 #include "app/picture_file.h"
 
 namespace edaha {
 
 struct VariantFilesParams {
     std::string folder;
-    bool resume = false;        // leave files alone that are still right
-    bool force = false;         // overwrite also what no edaha wrote
-    bool keep_drawing = false;  // for sheets
+    bool resume = false;  // leave files alone that are still right
+    bool force = false;   // overwrite also what no edaha wrote
+    bool tiles = false;   // for sheets
 };
 
 // What became of one variant.
@@ -22,7 +23,7 @@ struct DrawnVariant {
     std::vector<std::string> rows;  // of all its files, as JSON
     std::size_t written = 0;        // files; the others were right
     std::vector<std::string> warnings;
-    std::optional<Drawing> drawing;  // with keep_drawing
+    std::optional<SheetTile> tile;  // with VariantFilesParams::tiles
 };
 
 // Draws variants into files, for any number of threads at once.
@@ -45,7 +46,6 @@ class VariantFiles {
         bool measured = false;  // its row is complete
     };
     Wanted look_at(const std::string& name, Format format, const std::string& recipe) const;
-    bool is_right(const FileRow& row, Format format) const;
     void write(Wanted& file, const Picture& picture, const WriteParams& params,
                DrawnVariant& drawn) const;
     std::string path_of(const FileRow& row) const;
