@@ -36,7 +36,7 @@ std::string join(const Range& range, const Name& name) {
 
 Words words_for(const std::string& type) {
     if (type == "STYLE") return {{}, "edaha styles --names", true};
-    if (type == "FILE") return {{}, {}, true};
+    if (type == "FILE" || type == "DIR") return {{}, {}, true};
     if (type == "FORMAT") return {join(kFormats, [](Format f) { return name(f); }), {}, false};
     if (type == "SHELL") return {"bash zsh fish", {}, false};
     if (type == "LOOK") {

@@ -52,7 +52,7 @@ std::vector<Format> read_sheet(const BatchOptions& options) {
             "--sheet shows all variants, not a share: after --merge, --resume --sheet draws it");
     }
     if (options.sheet == "true") return {Format::svg, Format::pdf};
-    const std::vector<Format> formats = parse_formats(options.sheet);
+    std::vector<Format> formats = parse_formats(options.sheet);
     for (const Format format : formats) {
         if (format != Format::svg && format != Format::pdf) {
             throw UsageError(

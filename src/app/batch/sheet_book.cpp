@@ -36,8 +36,8 @@ SheetBook::SheetBook(SheetBookParams params) : params_(std::move(params)) {
     layout_.columns = std::min(layout_.columns, static_cast<int>(std::ceil(across)));
     const double down = std::ceil(tiles / layout_.columns);
     layout_.rows = static_cast<int>(std::min<double>(layout_.rows, down));
-    const auto on_page = static_cast<std::size_t>(layout_.columns * layout_.rows);
-    pages_ = (params_.tiles + on_page - 1) / on_page;
+    on_page_ = static_cast<std::size_t>(layout_.columns) * static_cast<std::size_t>(layout_.rows);
+    pages_ = (params_.tiles + on_page_ - 1) / on_page_;
     layout_.heading = params_.heading;
     layout_.pages = pages_;
 }
@@ -87,7 +87,7 @@ void SheetBook::add(SheetTile tile) {
         layout_.colours = {tile.paper, tile.ink};
     if (params_.cards && !has_card(tile.tile.drawing)) lay_on_card(tile.tile.drawing, tile.paper);
     tiles_.push_back(std::move(tile.tile));
-    if (tiles_.size() == static_cast<std::size_t>(layout_.columns * layout_.rows)) write_page();
+    if (tiles_.size() == on_page_) write_page();
 }
 
 void SheetBook::finish() {

@@ -51,7 +51,8 @@ class SheetBook {
     void write_page();
 
     SheetBookParams params_;
-    std::size_t pages_;
+    std::size_t on_page_ = 0;
+    std::size_t pages_ = 0;
     std::size_t page_ = 0;  // written ones
     SheetParams layout_;
     std::vector<Tile> tiles_;  // of the page at hand

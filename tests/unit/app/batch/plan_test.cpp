@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/batch/plan.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include <gtest/gtest.h>

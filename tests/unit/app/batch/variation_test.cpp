@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/batch/variation.h"
 
+#include <cmath>
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "base/number_text.h"
