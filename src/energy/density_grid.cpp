@@ -27,7 +27,7 @@ Crossings crossings(double from, double along, std::int64_t cell) {
 
 }  // namespace
 
-DensityGrid::DensityGrid(double cell_mm) : cell_mm_(cell_mm), cells_per_mm_(1 / cell_mm) {}
+DensityGrid::DensityGrid(double cell_mm) : cells_per_mm_(1 / cell_mm) {}
 
 float& DensityGrid::cell(Cell at) {
     const std::int64_t tile_x = at.x >> kTileBits, tile_y = at.y >> kTileBits;

@@ -50,7 +50,6 @@ class DensityGrid {
     float& cell(Cell at);
     void widen(std::int64_t tile_x, std::int64_t tile_y);
 
-    double cell_mm_;
     double cells_per_mm_;
     std::int64_t left_ = 0, bottom_ = 0;  // first tile of the directory
     std::int64_t columns_ = 0, rows_ = 0;

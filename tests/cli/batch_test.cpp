@@ -215,6 +215,23 @@ TEST_F(Batch, SharesMergeToTheWhole) {
     EXPECT_EQ(files_of("parts").at("manifest.json"), files_of("whole").at("manifest.json"));
 }
 
+TEST_F(Batch, MergingReplacesOnlyTheManifestOfItsOwnRun) {
+    for (const char* share : {"1/2", "2/2"})
+        good(std::string("edaha batch my.xml -n 4 -o parts --shard ") + share);
+    write("parts/manifest.csv", "my own list");
+    expect("edaha batch --merge -o parts", 1, "",
+           "edaha: 'parts/manifest.csv' is there already, and not of this run (--force "
+           "overwrites)\n");
+    EXPECT_EQ(test::read_whole(folder_ / "parts/manifest.csv"), "my own list");
+    good("edaha batch my.xml -n 2 -o other");
+    fs::copy_file(folder_ / "other/manifest.json", folder_ / "parts/manifest.json");
+    expect("edaha batch --merge -o parts", 1, "",
+           "edaha: 'parts/manifest.json' is there already, and not of this run (--force "
+           "overwrites)\n");
+    good("edaha batch --merge -o parts --force");
+    good("edaha batch --merge -o parts");
+}
+
 TEST_F(Batch, GnuParallelDrawsShares) {
     if (sh("parallel --version").exit_code != 0) GTEST_SKIP() << "there is no parallel";
     good("edaha batch my.xml -n 9 -o whole");

@@ -265,7 +265,8 @@ class Batch {
 };
 
 int merge(const Options& options, Console& console) {
-    const std::size_t variants = merge_manifests(options.output, options.batch.sources);
+    const std::size_t variants =
+        merge_manifests(options.output, options.batch.sources, options.force);
     if (!options.batch.quiet)
         console.err << fmt::format("edaha: merged the manifests of {} variants\n", variants);
     return 0;

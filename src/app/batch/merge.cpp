@@ -82,6 +82,24 @@ void check_complete(const std::string& path) {
                     rows, reader.head().files()));
 }
 
+bool lists_run(const std::string& path, const ManifestHead& run) {
+    try {
+        return ManifestReader(path).head().is_same_run(run);
+    } catch (const IoError&) {
+        return false;  // no manifest at all
+    }
+}
+
+// Merging again replaces what merging wrote, and nothing else.
+void check_place(const std::string& folder, const ManifestHead& run) {
+    const std::string place = manifest_path(folder, {});
+    for (const std::string& path : {place + ".json", place + ".csv"}) {
+        if (!fs::exists(path) || lists_run(place + ".json", run)) continue;
+        throw IoError(
+            fmt::format("'{}' is there already, and not of this run (--force overwrites)", path));
+    }
+}
+
 // The rows of all shares in the run's order: a variant of each in turn.
 class Interleaved {
   public:
@@ -105,7 +123,7 @@ class Interleaved {
 
 }  // namespace
 
-std::size_t merge_manifests(const std::string& folder, std::vector<std::string> paths) {
+std::size_t merge_manifests(const std::string& folder, std::vector<std::string> paths, bool force) {
     if (paths.empty()) paths = find_manifests(folder);
     std::vector<Share> shares;
     for (const std::string& path : paths)
@@ -115,6 +133,7 @@ std::size_t merge_manifests(const std::string& folder, std::vector<std::string> 
     check_none_missing(shares);
     for (const Share& share : shares)
         check_complete(share.path);
+    if (!force) check_place(folder, shares.front().head);
     Interleaved rows(shares);
     ManifestHead whole = rows.head();
     whole.shard = {};

@@ -232,7 +232,8 @@ TEST(AtomicFile, OnAFullDiskTheOldFileStays) {
 
 TEST(ReadFile, GivesTheWholeFileUpToTheLimit) {
     const TemporaryFolder folder;
-    const std::string bytes = std::string(200000, 'x') + '\0' + "end";
+    std::string bytes(200000, 'x');
+    bytes.append(1, '\0').append("end");
     write_whole(folder / "a", bytes);
     EXPECT_EQ(read_file(folder / "a", 1 << 20), bytes);
     EXPECT_EQ(read_file(folder / "a", bytes.size()), bytes);
