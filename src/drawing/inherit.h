@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
+#include <variant>
+#include <vector>
 
-#include "drawing/paint.h"
+#include "drawing/drawing.h"
 
 namespace edaha {
 
@@ -18,5 +20,22 @@ struct InheritedPaint {
 
 // The rules of Paint, applied once.
 InheritedPaint inherit(const InheritedPaint& parent, const Paint& own);
+
+// Every shape and instance below, in paint order, with the paint that it ends up with:
+// visit(const Shape&, const InheritedPaint&) and visit(const Use&, const InheritedPaint&).
+template <class Visit>
+void for_each_painted(const std::vector<Element>& elements, const InheritedPaint& parent,
+                      const Visit& visit) {
+    for (const Element& element : elements) {
+        if (const auto* shape = std::get_if<Shape>(&element)) {
+            visit(*shape, inherit(parent, shape->paint));
+        } else if (const auto* use = std::get_if<Use>(&element)) {
+            visit(*use, inherit(parent, use->paint));
+        } else {
+            const auto& group = std::get<Group>(element);
+            for_each_painted(group.children, inherit(parent, group.paint), visit);
+        }
+    }
+}
 
 }  // namespace edaha

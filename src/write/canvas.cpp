@@ -27,7 +27,7 @@ class Brush {
   public:
     Brush(cairo_t* context, const Drawing& drawing) : context_(context), drawing_(drawing) {}
 
-    void draw(const std::vector<Element>& elements, const InheritedPaint& parent);
+    void draw(const Layer& layer);
 
   private:
     void draw(const Use& use, const InheritedPaint& parent);
@@ -39,17 +39,9 @@ class Brush {
     const Drawing& drawing_;
 };
 
-void Brush::draw(const std::vector<Element>& elements, const InheritedPaint& parent) {
-    for (const Element& element : elements) {
-        if (const auto* shape = std::get_if<Shape>(&element)) {
-            draw(*shape, inherit(parent, shape->paint));
-        } else if (const auto* use = std::get_if<Use>(&element)) {
-            draw(*use, inherit(parent, use->paint));
-        } else {
-            const auto& group = std::get<Group>(element);
-            draw(group.children, inherit(parent, group.paint));
-        }
-    }
+void Brush::draw(const Layer& layer) {
+    for_each_painted(layer.children, inherit({}, layer.paint),
+                     [this](const auto& mark, const InheritedPaint& paint) { draw(mark, paint); });
 }
 
 void Brush::draw(const Use& use, const InheritedPaint& parent) {
@@ -135,7 +127,7 @@ void Canvas::paint_background(Colour colour) {
 void Canvas::draw(const Drawing& drawing, const Layer& layer, double scale) {
     cairo_save(state_->context);
     cairo_scale(state_->context, scale, scale);
-    Brush(state_->context, drawing).draw(layer.children, inherit({}, layer.paint));
+    Brush(state_->context, drawing).draw(layer);
     cairo_restore(state_->context);
 }
 

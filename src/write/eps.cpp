@@ -120,7 +120,7 @@ class EpsWriter {
 
     std::string write() {
         for (const Layer& layer : drawing_.layers)
-            add(layer.children, inherit({}, layer.paint));
+            add(layer);
         std::string page = head(drawing_) + std::string(kProlog);
         const Affine points_from_page(kPointsPerMm, 0, 0, -kPointsPerMm, 0,
                                       drawing_.height_mm * kPointsPerMm);
@@ -135,17 +135,10 @@ class EpsWriter {
         std::string name;
     };
 
-    void add(const std::vector<Element>& elements, const InheritedPaint& parent) {
-        for (const Element& element : elements) {
-            if (const auto* shape = std::get_if<Shape>(&element)) {
-                add(*shape, inherit(parent, shape->paint));
-            } else if (const auto* use = std::get_if<Use>(&element)) {
-                add(*use, inherit(parent, use->paint));
-            } else {
-                const auto& group = std::get<Group>(element);
-                add(group.children, inherit(parent, group.paint));
-            }
-        }
+    void add(const Layer& layer) {
+        for_each_painted(
+            layer.children, inherit({}, layer.paint),
+            [this](const auto& mark, const InheritedPaint& paint) { add(mark, paint); });
     }
 
     void add(const Shape& shape, const InheritedPaint& paint) {

@@ -138,24 +138,17 @@ class ContentWriter {
         for (std::size_t i = 0; i < drawing_.layers.size(); ++i) {
             page_.text += "/OC /L" + std::to_string(i) + " BDC\nq\n";
             now_ = {};
-            add(drawing_.layers[i].children, inherit({}, drawing_.layers[i].paint));
+            add(drawing_.layers[i]);
             page_.text += "Q\nEMC\n";
         }
         return {std::move(page_), std::move(forms_)};
     }
 
   private:
-    void add(const std::vector<Element>& elements, const InheritedPaint& parent) {
-        for (const Element& element : elements) {
-            if (const auto* shape = std::get_if<Shape>(&element)) {
-                add(*shape, inherit(parent, shape->paint));
-            } else if (const auto* use = std::get_if<Use>(&element)) {
-                add(*use, inherit(parent, use->paint));
-            } else {
-                const auto& group = std::get<Group>(element);
-                add(group.children, inherit(parent, group.paint));
-            }
-        }
+    void add(const Layer& layer) {
+        for_each_painted(
+            layer.children, inherit({}, layer.paint),
+            [this](const auto& mark, const InheritedPaint& paint) { add(mark, paint); });
     }
 
     void add(const Shape& shape, const InheritedPaint& paint) {
