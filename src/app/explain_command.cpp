@@ -9,8 +9,8 @@
 #include "app/commands.h"
 #include "base/nearest_name.h"
 #include "style/parameter.h"
-#include "style/samples.h"
 #include "style/reference_page.h"
+#include "style/samples.h"
 #include "style/schema.h"
 #include "style/value.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "style/schema.h"
 
-
 #include <gtest/gtest.h>
 
 #include "style/parameter.h"
