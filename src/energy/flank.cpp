@@ -43,11 +43,11 @@ std::optional<Cubic> through_middle(std::span<const CurveSample> samples, double
     const Cubic cubic{first.position, first.position + t0 * a, last.position - t1 * b,
                       last.position};
     for (std::size_t i = 1; i < steps; ++i) {
-        const Vec2 off =
-            eval(cubic, static_cast<double>(i) / static_cast<double>(steps)) - samples[i].position;
-        const double length = glm::length(samples[i].tangent);
-        if (length == 0 || std::abs(cross(samples[i].tangent, off)) > tolerance * length)
-            return std::nullopt;
+        const CurveSample& sample = samples[i];
+        const double t = static_cast<double>(i) / static_cast<double>(steps);
+        const double off = cross(sample.tangent, eval(cubic, t) - sample.position);
+        const double length2 = glm::dot(sample.tangent, sample.tangent);
+        if (length2 == 0 || off * off > tolerance * tolerance * length2) return std::nullopt;
     }
     return cubic;
 }
@@ -57,9 +57,10 @@ class FlankFitter {
     FlankFitter(const LimbCurve& curve, double across, LimbPlace from)
         : curve_(curve), across_(across), length_(curve.length_mm(0, curve.spans())) {
         start_ = curve.length_mm(0, from.span) + from.t * curve.chord_mm(from.span);
-        half_width_ = curve.section(from).half_width;
+        half_width_ = curve.slice(from).half_width;
         tolerance_ = flank_tolerance_mm(half_width_);
         steps_ = half_width_ > kThickHalfWidth ? 8 : 4;
+        cubics_.reserve(8);  // as many as most limbs have
     }
 
     std::vector<Cubic> run() {

@@ -31,34 +31,43 @@ class Joint {
     std::optional<Fillet> fillet(int flank, bool ahead) const;
 
   private:
-    struct Frame {  // of the parent at the joint
-        Vec2 centre, tangent;
-        double half_width;
-    };
-
     // Where a point lies in the parent's section through it: to the right of the centre line.
     struct Offset {
         double right_mm, half_width;
+        Vec2 tangent;  // of the parent there
         // How far outside the parent's flank on one side; negative inside.
         double beyond(double side) const { return side * right_mm - half_width; }
     };
+    struct Step {
+        double along_mm;  // the child
+        LimbSlice child;
+        Offset centre;
+    };
+    struct WayOut {
+        double along_mm;  // the child
+        Vec2 corner;
+    };
 
+    void find_side();
     Vec2 flank_point(int flank, double s) const;
+    bool near_joint(Vec2 point) const;
     double parent_distance(Vec2 point) const;
     Offset offset_of(Vec2 point) const;
-    std::optional<double> way_out(int flank) const;
+    bool surely_inside(const Step& step, int flank) const;
+    std::size_t last_inside(int flank) const;
+    std::optional<WayOut> way_out(int flank) const;
 
     const LimbCurve& child_;
     const LimbCurve& parent_;
     std::size_t node_;
     double radius_mm_;
-    Frame frame_;
+    LimbSlice frame_;       // the parent's at the joint
     double length_mm_ = 0;  // of the child
     double limit_ = 0;      // how far along the child a joint is looked for
     double stride_ = 0;
     int side_ = 1;
-    // The child at the first strides, as far as the side was looked for: both flanks start there.
-    std::array<LimbSlice, 16> steps_;
+    // The first strides, as far as the side was looked for: both flanks' ways out start from them.
+    std::array<Step, 16> steps_;
     std::size_t seen_ = 0;
 };
 

@@ -95,8 +95,8 @@ LimbSlice LimbCurve::slice(LimbPlace place) const {
     return slice;
 }
 
-LimbSection LimbCurve::section_at_node(std::size_t node) const {
-    return node < spans() ? section({node, 0}) : section({spans() - 1, 1});
+LimbSlice LimbCurve::slice_at_node(std::size_t node) const {
+    return node < spans() ? slice({node, 0}) : slice({spans() - 1, 1});
 }
 
 LimbPlace LimbCurve::walk(std::size_t node, double distance_mm) const {

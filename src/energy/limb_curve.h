@@ -45,7 +45,7 @@ class LimbCurve {
 
     LimbSection section(LimbPlace place) const;
     LimbSlice slice(LimbPlace place) const;  // of that section
-    LimbSection section_at_node(std::size_t node) const;
+    LimbSlice slice_at_node(std::size_t node) const;
     // The place `distance_mm` along the chords from a node; stops at either end of the limb.
     LimbPlace walk(std::size_t node, double distance_mm) const;
     double length_mm(std::size_t from_node, std::size_t to_node) const;

@@ -29,7 +29,7 @@ void add_cubics(Path& path, const std::vector<Cubic>& cubics) {
 
 // Half a turn from one flank's end to the other's: arms of 4/3 make the cubic that is nearest to a
 // half circle.
-void add_tip(Path& path, const LimbSection& tip, Vec2 to) {
+void add_tip(Path& path, const LimbSlice& tip, Vec2 to) {
     const Vec2 arm = tip.tangent * (tip.half_width * 4 / 3);
     path.cubic_to(path.points.back() + arm, to + arm, to);
 }
@@ -46,12 +46,11 @@ void add_fillet(Path& path, CurveSample from, CurveSample to, Vec2 corner) {
                   to.position - glm::normalize(to.tangent) * b, to.position);
 }
 
-std::vector<Cubic> backwards(const std::vector<Cubic>& cubics) {
-    std::vector<Cubic> result;
-    result.reserve(cubics.size());
-    for (auto it = cubics.rbegin(); it != cubics.rend(); ++it)
-        result.push_back(reversed(*it));
-    return result;
+std::vector<Cubic> backwards(std::vector<Cubic> cubics) {
+    std::reverse(cubics.begin(), cubics.end());
+    for (Cubic& cubic : cubics)
+        cubic = reversed(cubic);
+    return cubics;
 }
 
 // Both flanks and the tip, from where each leaves the base; `first` is the flank (+1, -1) that is
@@ -66,7 +65,7 @@ Flanks fit_flanks(const LimbCurve& curve, int first, LimbPlace up, LimbPlace dow
 
 void add_flanks(Path& path, const LimbCurve& curve, const Flanks& flanks) {
     add_cubics(path, flanks.up);
-    const LimbSection tip = curve.section_at_node(curve.spans());
+    const LimbSlice tip = curve.slice_at_node(curve.spans());
     add_tip(path, tip, flanks.down.empty() ? tip.at(-1) : flanks.down.front().p0);
     add_cubics(path, flanks.down);
 }
@@ -78,7 +77,7 @@ Path trunk_outline(const LimbCurve& curve) {
     path.move_to(flanks.up.front().p0);
     add_flanks(path, curve, flanks);
     // The foot sinks a little into the ground, with a round lower edge.
-    const LimbSection foot = curve.section({0, 0});
+    const LimbSlice foot = curve.slice({0, 0});
     const Vec2 left = path.points.back(), right = flanks.up.front().p0;
     const Vec2 down = -foot.tangent * (foot.half_width * 0.22);
     path.cubic_to(left + (right - left) * 0.18 + down, right + (left - right) * 0.18 + down, right);
@@ -88,7 +87,7 @@ Path trunk_outline(const LimbCurve& curve) {
 
 Path child_outline(const LimbCurve& curve, const LimbCurve& parent, std::size_t parent_node,
                    const LookParams& look) {
-    const LimbSection base = curve.section({0, 0});
+    const LimbSlice base = curve.slice({0, 0});
     const Joint joint(curve, parent, parent_node, look.fillet * 2 * base.half_width);
     const int lower = joint.side();
     const auto below = look.fillet > 0 ? joint.fillet(lower, false) : std::nullopt;
@@ -100,7 +99,7 @@ Path child_outline(const LimbCurve& curve, const LimbCurve& parent, std::size_t 
     if (flanks.up.empty() || flanks.down.empty()) return path;
     // On the parent's centre line, between the fillets: a child may run within its parent at first.
     const double start = below && crotch ? (below->along_mm + crotch->along_mm) / 2 : 0;
-    path.move_to(parent.section(parent.walk(parent_node, start)).centre);
+    path.move_to(parent.slice(parent.walk(parent_node, start)).centre);
     if (below) {
         path.line_to(below->parent.position);
         add_fillet(path, below->parent, below->child, below->corner);

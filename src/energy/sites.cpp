@@ -8,12 +8,12 @@
 namespace edaha {
 namespace {
 
-Site site_at(const LimbSection& section, const Limb& limb) {
+Site site_at(const LimbSlice& slice, const Limb& limb) {
     Site site;
-    site.position = section.centre;
-    site.direction = section.tangent;
+    site.position = slice.centre;
+    site.direction = slice.tangent;
     site.key = limb.key;
-    site.wood_width_mm = 2 * section.half_width;
+    site.wood_width_mm = 2 * slice.half_width;
     site.clump = limb.clump;
     site.back = limb.back;
     return site;
@@ -27,7 +27,7 @@ std::vector<Site> sites(const Limbs& limbs, const LookParams& look, const SitePa
     for (const Limb& limb : limbs.limbs) {
         const LimbCurve curve = curve_of(limbs, limb, look);
         if (limb.terminal) {
-            Site tip = site_at(curve.section_at_node(curve.spans()), limb);
+            Site tip = site_at(curve.slice_at_node(curve.spans()), limb);
             tip.terminal = true;
             result.push_back(tip);
         }
@@ -37,9 +37,9 @@ std::vector<Site> sites(const Limbs& limbs, const LookParams& look, const SitePa
         Key key = step(limb.key, 0x616c6f6e67);
         for (double s = params.along_mm; s < length; s += params.along_mm) {
             key = step(key, 0);
-            const LimbSection section = curve.section(curve.walk(curve.spans(), -s));
-            if (2 * section.half_width >= params.along_width_mm) break;
-            Site site = site_at(section, limb);
+            const LimbSlice slice = curve.slice(curve.walk(curve.spans(), -s));
+            if (2 * slice.half_width >= params.along_width_mm) break;
+            Site site = site_at(slice, limb);
             site.key = key;
             site.along_mm = s;
             result.push_back(site);
