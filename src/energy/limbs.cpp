@@ -55,6 +55,7 @@ class LimbMaker {
           energy_(energy),
           look_(look),
           random_(energy.variant.family, energy.variant.seed, energy.variant.vary),
+          tip_width_mm_(branch_width_mm(energy.growth, energy.growth.stop_energy) * look.tip),
           heir_(heirs(skeleton)),
           end_node_(skeleton.branches.size(), 0),
           fork_number_(skeleton.branches.size(), 0) {}
@@ -122,21 +123,19 @@ class LimbMaker {
     // Says whether the last branch bears a leaf.
     bool add_nodes(std::int32_t branch) {
         const Branch& first = skeleton_.branches[static_cast<std::size_t>(branch)];
-        double width = width_of(first);
+        double here_width = width_of(first), width = here_width;
         std::uint32_t fork = 0;
         bool terminal = false;
         add_node(page_from_tree(skeleton_.start(first)), width);
         for (std::int32_t at = branch; at >= 0; at = heir_[static_cast<std::size_t>(at)]) {
             const Branch& here = skeleton_.branches[static_cast<std::size_t>(at)];
             const std::int32_t next = heir_[static_cast<std::size_t>(at)];
-            const double here_width = width_of(here);
             // Between two branches the mean of their widths: the fall at a fork is spread over
             // both sides of it.
-            const double end_width =
-                next < 0
-                    ? std::min(look_.tip * here_width, tip_width_mm())
-                    : (here_width + width_of(skeleton_.branches[static_cast<std::size_t>(next)])) /
-                          2;
+            const double next_width =
+                next < 0 ? 0 : width_of(skeleton_.branches[static_cast<std::size_t>(next)]);
+            const double end_width = next < 0 ? std::min(look_.tip * here_width, tip_width_mm_)
+                                              : (here_width + next_width) / 2;
             const Vec2 start = out_.nodes.back().position, end = page_from_tree(here.end);
             if (look_.gnarl > 0 && !look_.straight &&
                 here.energy > kGnarlEnergy * energy_.growth.stop_energy) {
@@ -148,6 +147,7 @@ class LimbMaker {
             }
             add_node(end, end_width);
             width = end_width;
+            here_width = next_width;
             terminal = here.terminal;
             fork_number_[static_cast<std::size_t>(at)] = ++fork;
             end_node_[static_cast<std::size_t>(at)] =
@@ -165,9 +165,6 @@ class LimbMaker {
 
     double width_of(const Branch& branch) const {
         return branch_width_mm(energy_.growth, branch.energy);
-    }
-    double tip_width_mm() const {
-        return branch_width_mm(energy_.growth, energy_.growth.stop_energy) * look_.tip;
     }
 
     // A child is never wider than its parent where it leaves.
@@ -247,6 +244,7 @@ class LimbMaker {
     const EnergyParams& energy_;
     const LookParams& look_;
     KeyedRandom random_;
+    double tip_width_mm_;
     std::vector<std::int32_t> heir_;
     std::vector<std::uint32_t> end_node_;     // of each branch: the node at its end
     std::vector<std::uint32_t> fork_number_;  // of each branch: its end's, along its limb
@@ -256,13 +254,31 @@ class LimbMaker {
 
 }  // namespace
 
+namespace {
+
+std::string id_from(const Limb& limb, std::string stem) {
+    stem += '-' + std::to_string(limb.fork);
+    if (limb.side != 0) stem += limb.side;
+    return stem;
+}
+
+}  // namespace
+
 std::string Limbs::id(const Limb& limb) const {
     if (limb.parent < 0) return "trunk";
     const Limb& parent = limbs[static_cast<std::size_t>(limb.parent)];
-    std::string text = parent.parent < 0 ? "limb" : id(parent);
-    text += '-' + std::to_string(limb.fork);
-    if (limb.side != 0) text += limb.side;
-    return text;
+    return id_from(limb, parent.parent < 0 ? "limb" : id(parent));
+}
+
+std::vector<std::string> Limbs::ids() const {
+    std::vector<std::string> ids;
+    ids.reserve(limbs.size());
+    for (const Limb& limb : limbs) {
+        const std::string stem =
+            limb.parent > 0 ? ids[static_cast<std::size_t>(limb.parent)] : "limb";
+        ids.push_back(limb.parent < 0 ? "trunk" : id_from(limb, stem));
+    }
+    return ids;
 }
 
 Limbs make_limbs(const Skeleton& skeleton, const EnergyParams& energy, const LookParams& look) {

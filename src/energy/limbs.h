@@ -50,6 +50,7 @@ struct Limbs {
     // "trunk", "limb-3", "limb-3-2": by the forks from the ground up, so that it stays the same
     // when a parameter changes; at a fork of three, "l" or "r" says which lateral.
     std::string id(const Limb& limb) const;
+    std::vector<std::string> ids() const;  // of all limbs, at a third of the cost
 };
 
 // Centre lines are C2 cubic splines through the forks, clamped at their start to a heading between

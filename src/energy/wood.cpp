@@ -66,6 +66,7 @@ class Painter {
             wood.front.push_back(united());
             return wood;
         }
+        ids_ = limbs_.ids();
         Layer behind{"Wood behind", paint_of(palette_.wood_back), {}};
         Layer front{"Wood", paint_of(palette_.wood), {}};
         for (const std::size_t i : paint_order(limbs_)) {
@@ -97,7 +98,7 @@ class Painter {
     }
 
     void add(Layer& layer, const Limb& limb, Path path) {
-        const std::string id = limbs_.id(limb);
+        const std::string& id = id_of(limb);
         Group& bough = group_of(layer, limb);
         const bool twig = is_twig(limbs_, limb) && !limb.back;
         std::vector<Element>& home = twig ? twigs_of(bough).children : bough.children;
@@ -131,12 +132,15 @@ class Painter {
         }
     }
 
+    const std::string& id_of(const Limb& limb) const {
+        return ids_[static_cast<std::size_t>(&limb - limbs_.limbs.data())];
+    }
+
     // paint_order keeps a bough's limbs together.
     Group& group_of(Layer& layer, const Limb& limb) {
-        const std::string id =
-            limb.order == 0
-                ? "bole"
-                : "bough" + limbs_.id(limbs_.limbs[static_cast<std::size_t>(limb.bough)]).substr(4);
+        const std::string id = limb.order == 0
+                                   ? "bole"
+                                   : "bough" + ids_[static_cast<std::size_t>(limb.bough)].substr(4);
         if (layer.children.empty() || std::get<Group>(layer.children.back()).id != id) {
             layer.children.emplace_back(Group{id, {}, {}});
         }
@@ -156,6 +160,7 @@ class Painter {
     const LookParams& look_;
     const Palette& palette_;
     std::vector<Path> paths_;
+    std::vector<std::string> ids_;
 };
 
 }  // namespace
