@@ -35,13 +35,17 @@ enum Tone : std::size_t { kShade, kMid, kLight, kTones };
 constexpr std::array<const char*, kTones> kToneNames{"shade", "mid", "light"};
 
 struct Cloud {
-    Bounds box;
+    Vec2 centre{0}, half{1};
+
+    Cloud() = default;
+    explicit Cloud(const Bounds& box)
+        : centre(box.centre()),
+          half(std::max(box.width() / 2, 1.0), std::max(box.height() / 2, 1.0)) {}
 
     // Where in the cloud's light a place is: -1 in its shade, 1 on its lit side.
     double light(Vec2 place) const {
         constexpr Vec2 towards_light{-0.5, -0.87};
-        const Vec2 half{std::max(box.width() / 2, 1.0), std::max(box.height() / 2, 1.0)};
-        return std::clamp(glm::dot((place - box.centre()) / half, towards_light), -1.0, 1.0);
+        return std::clamp(glm::dot((place - centre) / half, towards_light), -1.0, 1.0);
     }
 };
 
@@ -58,12 +62,18 @@ class Placer {
   public:
     Placer(std::span<const Site> sites, const PlacementParams& params, const KeyedRandom& random)
         : params_(params), ornament_(params.ornament), random_(random) {
+        std::vector<Bounds> boxes;
+        Bounds crown;
         for (const Site& site : sites) {
             const auto clump = static_cast<std::size_t>(site.clump);
-            if (clump >= clumps_.size()) clumps_.resize(clump + 1);
-            clumps_[clump].box.include(site.position);
-            crown_.box.include(site.position);
+            if (clump >= boxes.size()) boxes.resize(clump + 1);
+            boxes[clump].include(site.position);
+            crown.include(site.position);
         }
+        for (const Bounds& box : boxes)
+            clumps_.emplace_back(box);
+        crown_ = Cloud(crown);
+        reserve(sites.size());
         for (const Site& site : sites) {
             if (uniform(site.key, kBears) < ornament_.share) dress(site);
         }
@@ -82,6 +92,15 @@ class Placer {
     }
 
   private:
+    // What is likely, and a little more: a list that grows is copied again and again.
+    void reserve(std::size_t sites) {
+        const double part = std::min(ornament_.share, 1.0) * 1.1;
+        const double likely = static_cast<double>(sites) * part * (ornament_.count + 0.5);
+        const auto room = static_cast<std::size_t>(std::min(likely, 1e6));
+        all_.reserve(room);
+        front_.reserve(room);
+    }
+
     double uniform(Key key, std::uint32_t purpose, std::uint32_t index = 0) const {
         return random_.uniform(key, purpose + params_.salt * kPurposes, index);
     }
@@ -135,8 +154,10 @@ class Placer {
 
     // Turns a heading by `part` of the way to another one, the shorter way round.
     static double turned(double angle, double to, double part) {
+        if (part == 0) return angle;
         const double full = 2 * std::numbers::pi;
-        const double way = to - angle - full * std::floor((to - angle) / full + 0.5);
+        const auto turns = static_cast<double>(stable::floor((to - angle) / full + 0.5));
+        const double way = to - angle - full * turns;
         return angle + way * part;
     }
 
@@ -194,7 +215,7 @@ class Placer {
             if (!std::all_of(tonal[i].begin(), tonal[i].end(), bare)) order.push_back(i);
         }
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return clumps_[a].box.centre().y < clumps_[b].box.centre().y;
+            return clumps_[a].centre.y < clumps_[b].centre.y;
         });
         return order;
     }
