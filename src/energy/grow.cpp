@@ -153,11 +153,13 @@ class Growth {
         Choice best{};
         double best_score = 0;
         for (std::size_t i = 0; i < turn_salts_.size(); ++i) {
-            Choice choice{headings_rad_[i], parent.end + Vec2(sines_[i], cosines_[i]) * length, 0};
-            choice.density = density(choice.end);
-            double score = choice.density;
-            if (habit.weight > 0) score += habit.weight * off_habit(choice, habit);
-            if (i == 0 || score < best_score) best = choice, best_score = score;
+            double score = habit.weight > 0 ? habit.weight * off_habit(headings_rad_[i], habit) : 0;
+            if (i > 0 && score >= best_score) continue;  // density only adds to it
+            const Vec2 end = parent.end + Vec2(sines_[i], cosines_[i]) * length;
+            const double crowd = density(end);
+            score += crowd;
+            if (i == 0 || score < best_score)
+                best = {headings_rad_[i], end, crowd}, best_score = score;
         }
         return best;
     }
@@ -184,10 +186,9 @@ class Growth {
     }
 
     // Squared difference between a heading, left or right alike, and the habit's.
-    static double off_habit(const Choice& choice, Habit habit) {
-        const auto whole_turns =
-            static_cast<double>(stable::floor(choice.heading_rad / (2 * kPi) + 0.5));
-        const double away = std::abs(choice.heading_rad - 2 * kPi * whole_turns);
+    static double off_habit(double heading_rad, Habit habit) {
+        const auto whole_turns = static_cast<double>(stable::floor(heading_rad / (2 * kPi) + 0.5));
+        const double away = std::abs(heading_rad - 2 * kPi * whole_turns);
         return (away - habit.heading_rad) * (away - habit.heading_rad);
     }
 
