@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "drawing/ink_box.h"
 
+#include <glm/common.hpp>
+
 namespace edaha {
 namespace {
 
@@ -59,8 +61,12 @@ void InkBoxes::include(Bounds& box, const std::vector<Element>& elements,
 void InkBoxes::include(Bounds& box, const Use& use) const {
     const Bounds& b = symbols_[use.symbol];
     if (b.empty()) return;
-    for (const Vec2 corner : {b.min, b.max, Vec2(b.min.x, b.max.y), Vec2(b.max.x, b.min.y)})
-        box.include(transform(use.page_from_symbol, corner));
+    // Rounding keeps order: these are the very numbers that the four corners give.
+    const Affine& map = use.page_from_symbol;
+    const Vec2 left = map[0] * b.min.x, right = map[0] * b.max.x;
+    const Vec2 top = map[1] * b.min.y, bottom = map[1] * b.max.y;
+    box.include(glm::min(left, right) + glm::min(top, bottom) + map[2]);
+    box.include(glm::max(left, right) + glm::max(top, bottom) + map[2]);
 }
 
 }  // namespace edaha

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/bounds.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "geometry/bezier.h"
@@ -27,11 +26,6 @@ void include_turns(Bounds& box, const Cubic& curve, int axis) {
 }
 
 }  // namespace
-
-void Bounds::include(Vec2 p) {
-    min = {std::min(min.x, p.x), std::min(min.y, p.y)};
-    max = {std::max(max.x, p.x), std::max(max.y, p.y)};
-}
 
 void Bounds::include(const Bounds& other) {
     if (other.empty()) return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <limits>
 
 #include "geometry/path.h"
@@ -16,7 +17,10 @@ struct Bounds {
     double height() const { return empty() ? 0 : max.y - min.y; }
     Vec2 centre() const { return (min + max) * 0.5; }
 
-    void include(Vec2 p);
+    void include(Vec2 p) {
+        min = {std::min(min.x, p.x), std::min(min.y, p.y)};
+        max = {std::max(max.x, p.x), std::max(max.y, p.y)};
+    }
     void include(const Bounds& other);
     bool contains(Vec2 p) const {
         return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y;

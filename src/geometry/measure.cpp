@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/measure.h"
 
+#include <span>
+
 #include <glm/geometric.hpp>
 
 #include "geometry/walk_path.h"
@@ -12,18 +14,22 @@ double cross(Vec2 a, Vec2 b) {
     return a.x * b.y - a.y * b.x;
 }
 
-// One subpath of `path`, given as its segments without the move.
-void append_reversed(Path& out, const std::vector<PathSegment>& segments) {
-    const bool closed = segments.back().verb == Verb::close;
-    const Vec2 end = segments.back().curve.p3;
+// One subpath, from its move on; a move without a segment is dropped.
+void append_reversed(Path& out, std::span<const Verb> verbs, std::span<const Vec2> points) {
+    if (verbs.size() < 2) return;
+    const bool closed = verbs.back() == Verb::close;
+    const Vec2 end = closed ? points.front() : points.back();
     out.move_to(end);
-    for (std::size_t i = segments.size(); i-- > 0;) {
-        const auto& [verb, c] = segments[i];
-        const bool last = i == 0;
-        if (verb == Verb::cubic) {
-            out.cubic_to(c.p2, c.p1, c.p0);
-        } else if (verb == Verb::line ? !(last && closed) : c.p0 != end) {
-            out.line_to(c.p0);  // the first line of a closed subpath becomes its close
+    if (closed && points.back() != end) out.line_to(points.back());
+    const std::size_t segments = verbs.size() - (closed ? 1 : 0);
+    std::size_t at = points.size() - 1;
+    for (std::size_t i = segments; i-- > 1;) {
+        if (verbs[i] == Verb::cubic) {
+            out.cubic_to(points[at - 1], points[at - 2], points[at - 3]);
+            at -= 3;
+        } else {  // the first line of a closed subpath becomes its close
+            --at;
+            if (i > 1 || !closed) out.line_to(points[at]);
         }
     }
     if (closed) out.close();
@@ -70,21 +76,18 @@ Path reversed(const Path& path) {
     Path out;
     out.verbs.reserve(path.verbs.size() + 1);
     out.points.reserve(path.points.size() + 1);
-    std::vector<PathSegment> segments;
-    segments.reserve(path.verbs.size());
-    const auto flush = [&] {
-        if (!segments.empty()) append_reversed(out, segments);
-        segments.clear();
-    };
-    walk_path(path, [&](const PathSegment& segment) {
-        if (segment.verb == Verb::move) {
-            flush();
-        } else {
-            segments.push_back(segment);
-            if (segment.verb == Verb::close) flush();
-        }
-    });
-    flush();
+    const std::span verbs(path.verbs);
+    const std::span points(path.points);
+    std::size_t verb = 0, point = 0;
+    while (verb < verbs.size()) {
+        const std::size_t first_verb = verb, first_point = point;
+        do {
+            point += verbs[verb] == Verb::cubic ? 3 : verbs[verb] == Verb::close ? 0 : 1;
+            ++verb;
+        } while (verb < verbs.size() && verbs[verb] != Verb::move);
+        append_reversed(out, verbs.subspan(first_verb, verb - first_verb),
+                        points.subspan(first_point, point - first_point));
+    }
     return out;
 }
 
