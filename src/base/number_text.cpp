@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "base/number_text.h"
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 
 namespace edaha {
 namespace {
@@ -55,90 +55,8 @@ std::uint64_t write_digits_before(char* end, std::uint64_t number, int count) {
     return low;
 }
 
-// The two digits of 0 to 99, and with how many zeros they end.
-struct DigitPairs {
-    char text[100][2] = {};
-    std::uint8_t zeros[100] = {};
-
-    constexpr DigitPairs() {
-        for (unsigned i = 0; i < 100; ++i) {
-            text[i][0] = static_cast<char>('0' + i / 10);
-            text[i][1] = static_cast<char>('0' + i % 10);
-            zeros[i] = i == 0 ? 2 : i % 10 == 0;
-        }
-    }
-};
-
-constexpr DigitPairs kPairs;
-
-char* write_pair(char* out, std::uint32_t number) {
-    std::memcpy(out, kPairs.text[number], 2);
-    return out + 2;
-}
-
-// Below 10000, without leading zeros.
-char* write_whole(char* out, std::uint32_t number) {
-    if (number >= 1000) return write_pair(write_pair(out, number / 100), number % 100);
-    if (number >= 100) {
-        *out = static_cast<char>('0' + number / 100);
-        return write_pair(out + 1, number % 100);
-    }
-    if (number >= 10) return write_pair(out, number);
-    *out = static_cast<char>('0' + number);
-    return out + 1;
-}
-
-struct Halves {
-    std::uint32_t whole, rest;  // the rest in units of 10^-4
-};
-
-// A case each, so that every divisor is known to the compiler.
-Halves halves(std::uint32_t magnitude, int decimals) {
-    switch (decimals) {
-        case 0:
-            return {magnitude, 0};
-        case 1:
-            return {magnitude / 10, magnitude % 10 * 1000};
-        case 2:
-            return {magnitude / 100, magnitude % 100 * 100};
-        case 3:
-            return {magnitude / 1000, magnitude % 1000 * 10};
-        default:
-            return {magnitude / 10000, magnitude % 10000};
-    }
-}
-
-// What nearly all numbers of a picture are: at most four decimals, and four digits before them.
-char* write_small(char* out, Halves number) {
-    if (number.whole != 0 || number.rest == 0) out = write_whole(out, number.whole);
-    if (number.rest == 0) return out;
-    const std::uint32_t high = number.rest / 100, low = number.rest % 100;
-    *out = '.';
-    write_pair(write_pair(out + 1, high), low);
-    return out + 5 - (low != 0 ? kPairs.zeros[low] : 2 + kPairs.zeros[high]);
-}
-
-}  // namespace
-
-std::int64_t to_units(double value, int decimals) {
-    assert(decimals >= 0 && decimals <= kMostDecimals);
-    const double scaled = value * kPowerOfTen[decimals];
-    if (!(std::abs(scaled) < kLargestUnits)) {
-        if (std::isnan(scaled)) return 0;
-        return static_cast<std::int64_t>(std::copysign(kLargestUnits, scaled));
-    }
-    const auto whole = static_cast<std::int64_t>(scaled);
-    const double rest = scaled - static_cast<double>(whole);  // exact
-    return whole + (rest >= 0.5) - (rest <= -0.5);
-}
-
-char* write_units(char* out, std::int64_t units, int decimals) {
-    if (units < 0) *out++ = '-';
-    auto magnitude = static_cast<std::uint64_t>(units < 0 ? -units : units);
-    if (decimals <= 4 && magnitude <= 0xffffffff) {
-        const Halves number = halves(static_cast<std::uint32_t>(magnitude), decimals);
-        if (number.whole < 10000) return write_small(out, number);
-    }
+// Digit by digit, for any number.
+char* write_long(char* out, std::uint64_t magnitude, int decimals) {
     while (decimals > 0 && magnitude % 10 == 0) {
         magnitude /= 10;
         --decimals;
@@ -154,6 +72,74 @@ char* write_units(char* out, std::int64_t units, int decimals) {
     out[before_point] = '.';
     write_digits_before(out + before_point, whole, before_point);
     return end;
+}
+
+// The four digits of 0 to 9999, a byte each, the first one in the lowest.
+struct FourDigits {
+    std::uint32_t of[10000] = {};
+
+    constexpr FourDigits() {
+        for (std::uint32_t i = 0; i < 10000; ++i)
+            of[i] = i / 1000 | i / 100 % 10 << 8 | i / 10 % 10 << 16 | i % 10 << 24;
+    }
+};
+
+constexpr FourDigits kFourDigits;
+
+// For so many decimals, of seven digits in a word and a clear byte before them: the bytes that lie
+// after the point, and what makes text of it once those before the point have moved up by one.
+struct Point {
+    std::uint64_t after, text;
+};
+
+constexpr Point point_after(int decimals) {
+    const int place = 8 * (7 - decimals);
+    return {~std::uint64_t{0} << 8 << place,
+            0x3030303030303030 - (std::uint64_t{'0' - '.'} << place)};
+}
+
+constexpr Point kPoints[kMostDecimals + 1] = {point_after(0), point_after(1), point_after(2),
+                                              point_after(3), point_after(4), point_after(5),
+                                              point_after(6)};
+
+// What nearly all numbers of a picture are: above 0 and, in units, below this.
+constexpr std::uint64_t kShortUnits = 10'000'000;
+
+// Makes the text in one word and cuts it out of that.
+char* write_short(char* out, std::uint32_t units, int decimals) {
+    const std::uint64_t digits =
+        kFourDigits.of[units / 10000] | std::uint64_t{kFourDigits.of[units % 10000]} << 32;
+    const Point& point = kPoints[decimals];
+    std::uint64_t text = ((digits & point.after) | (digits & ~point.after) >> 8) + point.text;
+    const int place = 7 - decimals;
+    const int first = std::countr_zero(digits) >> 3, last = 7 - (std::countl_zero(digits) >> 3);
+    const int start = std::min(first - 1, place), end = last > place ? last + 1 : place;
+    text >>= 8 * start;
+    for (int i = 0; i < 8; ++i)  // one instruction where the lowest byte comes first
+        out[i] = static_cast<char>(text >> 8 * i);
+    return out + (end - start);
+}
+
+}  // namespace
+
+std::int64_t to_units(double value, int decimals) {
+    assert(decimals >= 0 && decimals <= kMostDecimals);
+    const double scaled = value * kPowerOfTen[decimals];
+    if (!(std::abs(scaled) < kLargestUnits)) {
+        if (std::isnan(scaled)) return 0;
+        return static_cast<std::int64_t>(std::copysign(kLargestUnits, scaled));
+    }
+    const auto whole = static_cast<std::int64_t>(scaled);
+    const double rest = scaled - static_cast<double>(whole);  // exact, as is twice that
+    return whole + static_cast<std::int64_t>(2 * rest);
+}
+
+char* write_units(char* out, std::int64_t units, int decimals) {
+    *out = '-';
+    out += units < 0;
+    const auto magnitude = static_cast<std::uint64_t>(units < 0 ? -units : units);
+    if (magnitude - 1 >= kShortUnits - 1) return write_long(out, magnitude, decimals);
+    return write_short(out, static_cast<std::uint32_t>(magnitude), decimals);
 }
 
 void append_number(std::string& text, double value, int decimals) {

@@ -20,8 +20,8 @@ struct Unit {
 struct Command {
     char text[1 + 6 * (kLongestNumber + 1)];
     char* end = text;
-    char letter = 0;             // what a following command without a letter would repeat
-    bool ends_in_point = false;  // its last number has a decimal point: ".5" may follow at once
+    char letter = 0;        // what a following command without a letter would repeat
+    std::int64_t last = 0;  // its last number: ".5" may follow at once if that has a point too
 
     std::size_t size() const { return static_cast<std::size_t>(end - text); }
 };
@@ -37,6 +37,8 @@ class PathWriter {
 
   private:
     Unit rounded(Vec2 p) const { return {to_units(p.x, decimals_), to_units(p.y, decimals_)}; }
+    // A path starts with M, by its grammar and by custom.
+    bool first() const { return letter_ == 0; }
     void line(Unit to);
     void cubic(Unit c1, Unit c2, Unit to);
     void close();
@@ -45,7 +47,9 @@ class PathWriter {
     void put_straight(char letter, std::int64_t offset, std::int64_t absolute);
     Command start(char letter) const;
     void add_number(Command& command, std::int64_t units) const;
-    void take(const Command& relative, const Command& absolute);
+    std::size_t least_size(std::int64_t units) const;
+    void take_shorter(const Command& relative, const Command& absolute);
+    void take(const Command& command);
 
     std::string& text_;
     int decimals_;
@@ -55,7 +59,7 @@ class PathWriter {
     Unit mirrored_;             // the control point that s stands for
     bool pending_move_ = true;  // the subpath has nothing yet
     char letter_ = 0;           // of the last command
-    bool after_point_ = false;  // the last number has a decimal point
+    std::int64_t last_ = 0;     // and its last number
 };
 
 void PathWriter::write(const Path& path) {
@@ -127,7 +131,7 @@ Command PathWriter::start(char letter) const {
     const bool line_after_move =
         (letter == 'l' && letter_ == 'm') || (letter == 'L' && letter_ == 'M');
     command.letter = letter;
-    command.ends_in_point = after_point_;
+    command.last = last_;
     if (!repeats && !line_after_move) *command.end++ = letter;
     return command;
 }
@@ -135,25 +139,36 @@ Command PathWriter::start(char letter) const {
 void PathWriter::add_number(Command& command, std::int64_t units) const {
     const bool after_letter = command.end != command.text && command.end[-1] >= 'A';
     const bool starts_with_point = units > 0 && units < one_;
-    const bool parts_itself = units < 0 || (starts_with_point && command.ends_in_point);
+    const bool parts_itself = units < 0 || (starts_with_point && command.last % one_ != 0);
     if (!after_letter && !parts_itself) *command.end++ = ' ';
     char* const first = command.end;
     command.end = write_units(first, units, decimals_);
-    command.ends_in_point = units % one_ != 0;
+    command.last = units;
+}
+
+// What a number takes at least, with what parts it from the one before; all of it, in most cases.
+std::size_t PathWriter::least_size(std::int64_t units) const {
+    if (units % 10 == 0) return 2;
+    const std::int64_t magnitude = units < 0 ? -units : units;
+    const auto decimals = static_cast<std::size_t>(decimals_ > 0 ? 1 + decimals_ : 0);
+    if (magnitude < one_) return decimals + (units < 0);
+    return decimals + 2 + (magnitude >= 10 * one_) + (magnitude >= 100 * one_);
 }
 
 void PathWriter::put(char letter, const Unit* points, int count) {
     Command relative = start(letter);
     Command absolute = start(static_cast<char>(letter - 'a' + 'A'));
+    std::size_t least = 0;
     for (int i = 0; i < count; ++i) {
         const Unit offset = points[i] - at_;
         add_number(relative, offset.x), add_number(relative, offset.y);
+        least += least_size(points[i].x) + least_size(points[i].y);
     }
-    // What is longer already is not written to its end.
-    for (int i = 0; i < count && absolute.size() <= relative.size(); ++i) {
+    // Mostly the absolute one is known to be longer; next to its letter a number needs no blank.
+    if (!first() && absolute.size() + least > relative.size() + 1) return take(relative);
+    for (int i = 0; i < count; ++i)
         add_number(absolute, points[i].x), add_number(absolute, points[i].y);
-    }
-    take(relative, absolute);
+    take_shorter(relative, absolute);
 }
 
 void PathWriter::put_straight(char letter, std::int64_t offset, std::int64_t absolute_units) {
@@ -161,16 +176,17 @@ void PathWriter::put_straight(char letter, std::int64_t offset, std::int64_t abs
     Command absolute = start(static_cast<char>(letter - 'a' + 'A'));
     add_number(relative, offset);
     add_number(absolute, absolute_units);
-    take(relative, absolute);
+    take_shorter(relative, absolute);
 }
 
-void PathWriter::take(const Command& relative, const Command& absolute) {
-    const bool first = letter_ == 0;  // a path starts with M, by its grammar and by custom
-    const bool shorter = relative.size() <= absolute.size() && !first;
-    const Command& chosen = shorter ? relative : absolute;
-    text_.append(chosen.text, chosen.size());
-    letter_ = chosen.letter;
-    after_point_ = chosen.ends_in_point;
+void PathWriter::take_shorter(const Command& relative, const Command& absolute) {
+    take(relative.size() <= absolute.size() && !first() ? relative : absolute);
+}
+
+void PathWriter::take(const Command& command) {
+    text_.append(command.text, command.size());
+    letter_ = command.letter;
+    last_ = command.last;
 }
 
 }  // namespace

@@ -44,8 +44,6 @@ std::string hex(const std::optional<Colour>& colour) {
 struct TransformText {
     char text[16 + 6 * (kLongestNumber + 1)];
     std::size_t size = 0;
-
-    std::string_view view() const { return {text, size}; }
 };
 
 // matrix() with `fine` decimals for its linear part and `coarse` ones for the shift, or translate()
@@ -60,12 +58,18 @@ TransformText transform_text(const Affine& map, int fine, int coarse) {
         linear[0] == one && linear[1] == 0 && linear[2] == 0 && linear[3] == one;
     TransformText result;
     if (only_shifts && right == 0 && down == 0) return result;
-    const std::string_view name = only_shifts ? "translate(" : "matrix(";
-    char* end = std::copy(name.begin(), name.end(), result.text);
-    for (const std::int64_t number : linear) {
-        if (only_shifts) break;
-        end = write_units(end, number, fine);
-        *end++ = ' ';
+    char* end = result.text;
+    const auto add_name = [&](std::string_view name) {
+        end = std::copy(name.begin(), name.end(), end);
+    };
+    if (only_shifts) {
+        add_name("translate(");
+    } else {
+        add_name("matrix(");
+        for (const std::int64_t number : linear) {
+            end = write_units(end, number, fine);
+            *end++ = ' ';
+        }
     }
     end = write_units(end, right, coarse);
     if (!only_shifts || down != 0) {
@@ -84,6 +88,38 @@ bool strokes(const Paint& paint) {
 bool any_stroke(const Symbol& symbol) {
     return std::any_of(symbol.shapes.begin(), symbol.shapes.end(),
                        [](const Shape& shape) { return strokes(shape.paint); });
+}
+
+// What there are thousands of: pugixml lets copies of what it parsed share its text.
+struct Templates {
+    pugi::xml_node all;
+    pugi::xml_node path;               // with an attribute for data
+    std::vector<pugi::xml_node> uses;  // of the symbols, with an attribute for the transform
+};
+
+struct StringWriter : pugi::xml_writer {
+    void write(const void* data, std::size_t size) override {
+        text.append(static_cast<const char*>(data), size);
+    }
+    std::string text;
+};
+
+Templates load_templates(pugi::xml_document& document, const std::vector<Symbol>& symbols) {
+    pugi::xml_document written;
+    pugi::xml_node node = written.append_child("templates");
+    node.append_child("path").append_attribute("d");
+    for (const Symbol& symbol : symbols) {
+        pugi::xml_node use = node.append_child("use");
+        set(use, "xlink:href", '#' + symbol.id);
+        use.append_attribute("transform");
+    }
+    StringWriter writer;
+    written.save(writer, "", pugi::format_raw | pugi::format_no_declaration);
+    document.load_buffer(writer.text.data(), writer.text.size());
+    Templates templates{document.first_child(), document.first_child().first_child(), {}};
+    for (const pugi::xml_node use : templates.all.children("use"))
+        templates.uses.push_back(use);
+    return templates;
 }
 
 class SvgWriter {
@@ -116,8 +152,8 @@ class SvgWriter {
     const SvgParams& params_;
     int decimals_;
     std::vector<SymbolPrecision> precision_;
-    std::vector<std::string> references_;  // to the symbols: "#leaf"
     pugi::xml_document document_;
+    Templates templates_;  // in the document
     pugi::xml_node svg_;
     std::string data_;  // of one path, reused
     SvgReport report_;
@@ -129,10 +165,8 @@ SvgWriter::SvgWriter(const Drawing& drawing, const SvgParams& params)
       decimals_(params.decimals == SvgParams::kAutomatic
                     ? page_decimals(drawing.width_mm, drawing.height_mm)
                     : std::clamp(params.decimals, 0, kMostDecimals)),
-      precision_(symbol_precision(drawing, decimals_)) {
-    for (const Symbol& symbol : drawing.symbols)
-        references_.push_back('#' + symbol.id);
-}
+      precision_(symbol_precision(drawing, decimals_)),
+      templates_(load_templates(document_, drawing.symbols)) {}
 
 bool SvgWriter::has_strokes(const std::vector<Element>& elements) const {
     return std::any_of(elements.begin(), elements.end(), [&](const Element& element) {
@@ -276,11 +310,14 @@ void SvgWriter::add_group(pugi::xml_node parent, const Group& group,
 }
 
 void SvgWriter::add_use(pugi::xml_node parent, const Use& use, const InheritedPaint& inherited) {
-    pugi::xml_node node = parent.append_child("use");
-    set(node, "xlink:href", references_[use.symbol]);
+    pugi::xml_node node = parent.append_copy(templates_.uses[use.symbol]);
     const TransformText transform =
         transform_text(use.page_from_symbol, precision_[use.symbol].matrices, decimals_);
-    if (transform.size > 0) set(node, "transform", transform.view());
+    if (transform.size > 0) {
+        node.last_attribute().set_value(transform.text, transform.size);
+    } else {
+        node.remove_attribute(node.last_attribute());
+    }
     if (use.paint != Paint{}) add_paint(node, inherit(inherited, use.paint), inherited);
 }
 
@@ -358,6 +395,7 @@ SvgReport SvgWriter::write(const Sink& sink) {
     add_definitions();
     for (const Layer& layer : drawing_.layers)
         add_layer(layer);
+    document_.remove_child(templates_.all);
     const unsigned format = params_.compact ? pugi::format_raw : pugi::format_indent;
     document_.save(counter, " ", format, pugi::encoding_utf8);
     return report_;
