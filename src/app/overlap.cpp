@@ -9,7 +9,6 @@
 
 #include "geometry/bit_raster.h"
 #include "geometry/bounds.h"
-#include "geometry/measure.h"
 
 namespace edaha {
 namespace {
@@ -35,6 +34,27 @@ Bounds box_of(const Path& path) {
     for (const Vec2 p : path.points)
         box.include(p);
     return box;
+}
+
+// Of the polygons through a path's nodes: enough to choose a pitch by. Taken from where each
+// starts, so that the way back there adds nothing.
+double rough_area(const Path& path) {
+    double twice = 0;
+    Vec2 start(0), at(0);
+    const Vec2* p = path.points.data();
+    for (const Verb verb : path.verbs) {
+        if (verb == Verb::close) continue;
+        p += verb == Verb::cubic ? 3 : 1;
+        const Vec2 to = p[-1] - start;
+        if (verb == Verb::move) {
+            start = p[-1];
+            at = Vec2(0);
+        } else {
+            twice += at.x * to.y - at.y * to.x;
+            at = to;
+        }
+    }
+    return std::abs(twice) / 2;
 }
 
 Affine raster_from(Vec2 origin, Vec2 pitch) {
@@ -123,7 +143,7 @@ class Overlap {
     void add(const Shape& shape) {
         const std::string_view id = shape.id;
         if (id.ends_with(".shade") || id.ends_with(".marks")) return;
-        area_ += std::abs(signed_area(shape.path));
+        area_ += rough_area(shape.path);
         box_.include(box_of(shape.path));
         paths_.push_back(&shape.path);
     }

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include <glm/common.hpp>
+
 #include "geometry/bezier.h"
 
 namespace edaha {
@@ -37,16 +39,22 @@ std::int64_t BitRaster::count() const {
 std::int64_t BitRaster::fill(const Path& path, const Affine& raster_from_path, double tolerance) {
     crossings_.clear();
     Vec2 at(0), start(0);
+    int row = 0;  // the first one whose middle lies below `at`: what segments share counts once
+    const auto row_below = [&](Vec2 point) { return samples_before(point.y, rows_); };
     const auto go_to = [&](Vec2 to) {
-        cross(at, to);
+        const int to_row = row_below(to);
+        if (to_row != row) cross(at, to, row, to_row);
         at = to;
+        row = to_row;
     };
     const Vec2* p = path.points.data();
     for (const Verb verb : path.verbs) {
         if (verb == Verb::cubic) {
             const Cubic curve{at, transform(raster_from_path, p[0]),
                               transform(raster_from_path, p[1]), transform(raster_from_path, p[2])};
-            const int steps = flatten_steps(curve, tolerance);
+            const bool level = row_below(curve.p1) == row && row_below(curve.p2) == row &&
+                               row_below(curve.p3) == row;
+            const int steps = level ? 1 : flatten_steps(curve, tolerance);
             for (int i = 1; i < steps; ++i)
                 go_to(eval(curve, static_cast<double>(i) / steps));
             go_to(curve.p3);
@@ -55,7 +63,10 @@ std::int64_t BitRaster::fill(const Path& path, const Affine& raster_from_path, d
         }
         const bool back = verb == Verb::move || verb == Verb::close;
         if (back) go_to(start);
-        if (verb == Verb::move) at = start = transform(raster_from_path, *p++);
+        if (verb == Verb::move) {
+            at = start = transform(raster_from_path, *p++);
+            row = row_below(at);
+        }
         if (verb == Verb::line) go_to(transform(raster_from_path, *p++));
     }
     go_to(start);
@@ -71,12 +82,11 @@ std::int64_t BitRaster::fill(const Path& path, const Affine& raster_from_path, d
     return covered;
 }
 
-// Rows whose middle lies in (from.y, to.y]: what two segments share at their ends counts once.
-void BitRaster::cross(Vec2 from, Vec2 to) {
-    const bool down = to.y > from.y;
+// Rows whose middle lies between the two points: first ones below each, which are not the same.
+void BitRaster::cross(Vec2 from, Vec2 to, int from_row, int to_row) {
+    const bool down = to_row > from_row;
     const Vec2 high = down ? from : to, low = down ? to : from;
-    const int first = samples_before(high.y, rows_), last = samples_before(low.y, rows_);
-    if (first >= last) return;
+    const int first = down ? from_row : to_row, last = down ? to_row : from_row;
     const double slope = (low.x - high.x) / (low.y - high.y);
     for (int row = first; row < last; ++row) {
         const int before = samples_before(high.x + (row + 0.5 - high.y) * slope, columns_);
@@ -100,70 +110,86 @@ std::int64_t BitRaster::set(int row, int first, int end) {
 BitStamp::BitStamp(const BitRaster& shape)
     : columns_(shape.columns()),
       rows_(shape.rows()),
-      samples_(static_cast<std::size_t>((columns_ + 2) * (rows_ + 2))) {
+      stride_(static_cast<std::size_t>(columns_ + 2)),
+      samples_(stride_ * static_cast<std::size_t>(rows_ + 2)) {
     for (int row = 0; row < rows_; ++row) {
         for (int column = 0; column < columns_; ++column)
-            samples_[static_cast<std::size_t>((row + 1) * (columns_ + 2) + column + 1)] =
-                shape.at(column, row);
+            samples_[static_cast<std::size_t>(row + 1) * stride_ +
+                     static_cast<std::size_t>(column + 1)] = shape.at(column, row);
     }
 }
 
-// A line through the stamp, from column to column of the raster: place = start + column * step.
+// A row of the raster as a line through the stamp. Columns of the raster lead in and out across its
+// left and right borders (x), and across the upper and lower ones (y).
 struct BitStamp::Scan {
-    Vec2 start, step, columns_a_unit;  // the last: 1 / step
+    Vec2 start, step;          // the place at column 0 and from column to column, in units
+    std::uint64_t step_units;  // the same in one word
+    Vec2 in, out;              // at which column
 };
+
+namespace {
+
+// Places in the stamp are counted in 2^-16 samples from its clear border, both coordinates in one
+// word: while both are in the stamp, one addition is a step.
+constexpr double kUnits = 0x1p16;
+
+std::uint64_t word_of(Vec2 units) {
+    return (static_cast<std::uint64_t>(static_cast<std::int64_t>(units.y)) << 32) +
+           static_cast<std::uint64_t>(static_cast<std::int64_t>(units.x));
+}
+
+}  // namespace
+
+inline std::int64_t BitStamp::set_row(BitRaster& raster, int row, const Scan& scan) const {
+    const double from = std::max(std::max(scan.in.x, scan.in.y), 0.0);
+    const double to = std::min(std::min(scan.out.x, scan.out.y), raster.columns() - 1.0);
+    if (!(from <= to)) return 0;
+    const int first = static_cast<int>(from) + (from > static_cast<int>(from));
+    const int last = static_cast<int>(to);
+    std::int64_t covered = 0;
+    for (int column = first; column <= last;) {
+        const std::size_t word = raster.word(column, row);
+        std::uint64_t place = word_of(scan.start + scan.step * static_cast<double>(column));
+        std::uint64_t bits = 0;
+        const int end = std::min(last, column | 63) + 1;
+        for (; column < end; ++column, place += scan.step_units) {
+            const std::uint64_t sample =
+                samples_[(place >> 48) * stride_ + (static_cast<std::uint32_t>(place) >> 16)];
+            bits = std::rotr(bits | sample, 1);
+            covered += static_cast<std::int64_t>(sample);
+        }
+        raster.words_[word] |= std::rotl(bits, end & 63);
+    }
+    return covered;
+}
 
 std::int64_t BitStamp::set_on(BitRaster& raster, const Affine& raster_from_stamp) const {
     const Vec2 a = raster_from_stamp[0], b = raster_from_stamp[1], origin = raster_from_stamp[2];
     const double area = a.x * b.y - a.y * b.x;
-    const Vec2 step{b.y / area, -a.y / area};  // in the stamp, for one column of the raster
+    Vec2 step{b.y / area, -a.y / area};        // in the stamp, for one column of the raster
     const Vec2 fall{-b.x / area, a.x / area};  // and for one row
     // So small a shape that it lies between the samples (or a map that can't be inverted).
     constexpr double kMostStep = 0x1p20;
     if (!(std::max(std::abs(step.x), std::abs(step.y)) < kMostStep)) return 0;
+    // Along an axis no column leads in or out: so slight a slope makes no difference.
+    constexpr double kLeastStep = 0x1p-20;
+    if (std::abs(step.x) < kLeastStep) step.x = kLeastStep;
+    if (std::abs(step.y) < kLeastStep) step.y = kLeastStep;
     const double top = origin.y + std::min(a.y * columns_, 0.0) + std::min(b.y * rows_, 0.0);
     const double bottom = origin.y + std::max(a.y * columns_, 0.0) + std::max(b.y * rows_, 0.0);
     const int first = samples_before(top, raster.rows()),
               end = samples_before(bottom, raster.rows());
-    Scan scan{step * (0.5 - origin.x) + fall * (first + 0.5 - origin.y), step, 1.0 / step};
+    const Vec2 start = step * (0.5 - origin.x) + fall * (first + 0.5 - origin.y);
+    const Vec2 one = -start / step, other = (Vec2(columns_, rows_) - start) / step;
+    Scan scan{(start + 1.0) * kUnits, step * kUnits, word_of(step * kUnits), glm::min(one, other),
+              glm::max(one, other)};
+    const Vec2 fall_units = fall * kUnits, shift = -fall / step;  // the latter in columns
     std::int64_t covered = 0;
-    for (int row = first; row < end; ++row, scan.start += fall)
+    for (int row = first; row < end; ++row) {
         covered += set_row(raster, row, scan);
-    return covered;
-}
-
-std::int64_t BitStamp::set_row(BitRaster& raster, int row, const Scan& scan) const {
-    double from = 0, to = raster.columns() - 1;
-    const Vec2 size(columns_, rows_);
-    for (int axis = 0; axis < 2; ++axis) {
-        // Along the other axis: no column leads in or out, and the infinite ones say so.
-        const double s = -scan.start[axis] * scan.columns_a_unit[axis];
-        const double t = (size[axis] - scan.start[axis]) * scan.columns_a_unit[axis];
-        from = std::max(from, std::min(s, t));
-        to = std::min(to, std::max(s, t));
-    }
-    if (!(from <= to)) return 0;
-    const int first = static_cast<int>(from) + (from > static_cast<int>(from));
-    const int last = static_cast<int>(to);
-    // Places in the stamp in 2^-32 samples, from the clear border: stepping is then exact.
-    constexpr double kOne = 0x1p32;
-    const auto step_x = static_cast<std::int64_t>(scan.step.x * kOne);
-    const auto step_y = static_cast<std::int64_t>(scan.step.y * kOne);
-    auto x = static_cast<std::int64_t>((scan.start.x + scan.step.x * first + 1) * kOne);
-    auto y = static_cast<std::int64_t>((scan.start.y + scan.step.y * first + 1) * kOne);
-    const std::int64_t width = columns_ + 2;
-    std::int64_t covered = 0;
-    for (int column = first; column <= last;) {
-        const int end = std::min(last, column | 63);
-        const std::size_t word = raster.word(column, row);
-        std::uint64_t bits = 0;
-        for (; column <= end; ++column, x += step_x, y += step_y) {
-            const std::int64_t place = (y >> 32) * width + (x >> 32);
-            const std::uint64_t sample = samples_[static_cast<std::size_t>(place)];
-            bits |= sample << (column & 63);
-            covered += static_cast<std::int64_t>(sample);
-        }
-        raster.words_[word] |= bits;
+        scan.start += fall_units;
+        scan.in += shift;
+        scan.out += shift;
     }
     return covered;
 }

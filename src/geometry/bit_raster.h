@@ -31,7 +31,7 @@ class BitRaster {
     std::size_t word(int column, int row) const {
         return static_cast<std::size_t>(row) * stride_ + static_cast<std::size_t>(column >> 6);
     }
-    void cross(Vec2 from, Vec2 to);
+    void cross(Vec2 from, Vec2 to, int from_row, int to_row);
     std::int64_t set(int row, int first, int end);
 
     int columns_, rows_;
@@ -59,6 +59,7 @@ class BitStamp {
     std::int64_t set_row(BitRaster& raster, int row, const Scan& scan) const;
 
     int columns_, rows_;
+    std::size_t stride_;                 // samples a row
     std::vector<std::uint8_t> samples_;  // a byte each, a clear one all around
 };
 
