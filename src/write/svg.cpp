@@ -90,10 +90,9 @@ bool any_stroke(const Symbol& symbol) {
                        [](const Shape& shape) { return strokes(shape.paint); });
 }
 
-// What there are thousands of: pugixml lets copies of what it parsed share its text.
+// What there are thousands of: pugixml lets copies of what it has parsed share their text.
 struct Templates {
     pugi::xml_node all;
-    pugi::xml_node path;               // with an attribute for data
     std::vector<pugi::xml_node> uses;  // of the symbols, with an attribute for the transform
 };
 
@@ -107,7 +106,6 @@ struct StringWriter : pugi::xml_writer {
 Templates load_templates(pugi::xml_document& document, const std::vector<Symbol>& symbols) {
     pugi::xml_document written;
     pugi::xml_node node = written.append_child("templates");
-    node.append_child("path").append_attribute("d");
     for (const Symbol& symbol : symbols) {
         pugi::xml_node use = node.append_child("use");
         set(use, "xlink:href", '#' + symbol.id);
@@ -115,9 +113,10 @@ Templates load_templates(pugi::xml_document& document, const std::vector<Symbol>
     }
     StringWriter writer;
     written.save(writer, "", pugi::format_raw | pugi::format_no_declaration);
-    document.load_buffer(writer.text.data(), writer.text.size());
-    Templates templates{document.first_child(), document.first_child().first_child(), {}};
-    for (const pugi::xml_node use : templates.all.children("use"))
+    document.load_buffer(writer.text.data(), writer.text.size(), pugi::parse_default,
+                         pugi::encoding_utf8);
+    Templates templates{document.first_child(), {}};
+    for (const pugi::xml_node use : templates.all.children())
         templates.uses.push_back(use);
     return templates;
 }
