@@ -185,9 +185,10 @@ struct Grid {
 
     Bounds cell(std::size_t index) const {
         const auto columns = static_cast<std::size_t>(params_.columns);
+        const std::size_t row = index / columns, column = index % columns;
         const Vec2 corner(
-            params_.margin_mm + static_cast<double>(index % columns) * (width + params_.gap_mm),
-            top + static_cast<double>(index / columns) * pitch);
+            params_.margin_mm + static_cast<double>(column) * (width + params_.gap_mm),
+            top + static_cast<double>(row) * pitch);
         return {corner, corner + Vec2(width, height)};
     }
 

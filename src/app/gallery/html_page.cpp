@@ -177,9 +177,9 @@ class HtmlWriter {
         text_ += "<div class=\"table\"><table>\n";
         for (const Table::Row& row : table.rows) {
             text_ += "<tr>";
-            const std::string tag = row.head ? "th" : "td";
+            const char* const tag = row.head ? "th" : "td";
             for (const Line& line : row.cells)
-                text_ += '<' + tag + '>' + html_of(line) + "</" + tag + '>';
+                text_ += fmt::format("<{0}>{1}</{0}>", tag, html_of(line));
             text_ += "</tr>\n";
         }
         text_ += "</table></div>\n";

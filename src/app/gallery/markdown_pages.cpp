@@ -87,7 +87,7 @@ class MarkdownWriter {
                 pictures += "| " + (i < end ? cell(image(plates[i], kThumbnail_px)) + ' ' : "");
                 labels += "| " + (i < end ? label(plates[i], with_commands) + ' ' : "");
             }
-            text_ += pictures + "|\n" + labels + "|\n";
+            text_ += fmt::format("{}|\n{}|\n", pictures, labels);
         }
     }
 
@@ -164,9 +164,9 @@ class MarkdownWriter {
 
     void add_row(const Table::Row& row, std::size_t columns) {
         for (std::size_t i = 0; i < columns; ++i) {
-            std::string text = i < row.cells.size() ? cell(to_markdown(row.cells[i])) : "";
-            if (row.head && !text.empty()) text = "**" + text + "**";
-            text_ += "| " + text + (text.empty() ? "" : " ");
+            const std::string text = i < row.cells.size() ? cell(to_markdown(row.cells[i])) : "";
+            text_ += "| ";
+            if (!text.empty()) text_ += fmt::format("{0}{1}{0} ", row.head ? "**" : "", text);
         }
         text_ += "|\n";
     }
