@@ -14,7 +14,8 @@ namespace {
 
 // How many samples of a row of `most` lie before x, or on it.
 int samples_before(double x, int most) {
-    return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(most)) + 0.5);
+    const double last = std::clamp(x, 0.0, static_cast<double>(most)) + 0.5;  // they lie in middles
+    return static_cast<int>(last);
 }
 
 int sample_of(std::uint64_t crossing) {
