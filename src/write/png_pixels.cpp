@@ -27,17 +27,8 @@ class Pixels {
   public:
     explicit Pixels(std::string_view png) : rest_(png) {
         cairo_surface_t* const file = cairo_image_surface_create_from_png_stream(read, this);
-        const int width = cairo_image_surface_get_width(file);
-        const int height = cairo_image_surface_get_height(file);
-        surface_ = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
-        cairo_t* const context = cairo_create(surface_);
-        cairo_set_source_surface(context, file, 0, 0);
-        cairo_paint(context);
-        good_ = cairo_surface_status(file) == CAIRO_STATUS_SUCCESS &&
-                cairo_status(context) == CAIRO_STATUS_SUCCESS;
-        cairo_destroy(context);
+        if (cairo_surface_status(file) == CAIRO_STATUS_SUCCESS) copy(file);
         cairo_surface_destroy(file);
-        cairo_surface_flush(surface_);
     }
     ~Pixels() { cairo_surface_destroy(surface_); }
     Pixels(const Pixels&) = delete;
@@ -53,6 +44,18 @@ class Pixels {
     }
 
   private:
+    void copy(cairo_surface_t* file) {
+        const int width = cairo_image_surface_get_width(file);
+        const int height = cairo_image_surface_get_height(file);
+        surface_ = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
+        cairo_t* const context = cairo_create(surface_);
+        cairo_set_source_surface(context, file, 0, 0);
+        cairo_paint(context);
+        good_ = cairo_status(context) == CAIRO_STATUS_SUCCESS;
+        cairo_destroy(context);
+        cairo_surface_flush(surface_);
+    }
+
     static cairo_status_t read(void* self, unsigned char* data, unsigned length) {
         std::string_view& rest = static_cast<Pixels*>(self)->rest_;
         if (rest.size() < length) return CAIRO_STATUS_READ_ERROR;
