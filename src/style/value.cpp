@@ -64,6 +64,8 @@ double stable_degrees(double angle) {
 
 std::string degrees_text(double angle) {
     const double degrees = stable_degrees(angle);
+    const double whole = std::round(degrees);
+    if (radians(whole) == radians(degrees)) return shortest_text(whole);
     char buffer[40];
     for (int digits = 1; digits < 17; ++digits) {
         const auto end = std::to_chars(buffer, buffer + sizeof buffer, degrees,
@@ -72,6 +74,16 @@ std::string degrees_text(double angle) {
         if (rounded && radians(*rounded) == radians(degrees)) return shortest_text(*rounded);
     }
     return shortest_text(degrees);
+}
+
+std::string colour_text(Colour colour) {
+    constexpr char kDigits[] = "0123456789abcdef";
+    std::string text = "#";
+    for (const std::uint8_t part : {colour.r, colour.g, colour.b}) {
+        text += kDigits[part >> 4];
+        text += kDigits[part & 15];
+    }
+    return text;
 }
 
 std::string shown_text(double value, Unit unit) {
@@ -245,10 +257,7 @@ std::string value_text(const Style& style, const Parameter& parameter) {
                   }
                   return text;
               },
-              [&](const Tint& field) {
-                  const Colour c = field.get(style);
-                  return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b);
-              },
+              [&](const Tint& field) { return colour_text(field.get(style)); },
               [&](const Reference& field) { return field.get(style); }},
         parameter.field);
 }
@@ -299,6 +308,10 @@ std::string in_quotes(std::string_view text) {
 
 std::string shortest_text(double value) {
     if (value == 0) return "0";
+    // Most of them, and every file records some two hundred.
+    constexpr double kPlain = 1e5;
+    if (std::abs(value) < kPlain && value == std::trunc(value))
+        return std::to_string(static_cast<int>(value));
     char buffer[400];  // the fixed form of the largest double has 309 digits
     const auto end = std::to_chars(buffer, std::end(buffer), value, std::chars_format::fixed);
     const std::string fixed(buffer, end.ptr);
