@@ -36,9 +36,8 @@ struct LeafImport {
 //     "recolour", is filled in the leaf colour; its stroke keeps its colour, unless the fill is
 //     none: then the stroke takes the leaf colour. Others keep both. currentColor is the leaf
 //     colour.
-//   - A shape that is both filled and stroked becomes two where one path can't do: it is open, or
-//   the
-//     stroke lies below. Strokes get round caps and joins, whatever the drawing says.
+//   - A shape that is both filled and stroked becomes two where one path can't do: it is
+//     open, or the stroke lies below. Strokes get round caps and joins, whatever the drawing says.
 //   - Group opacity is multiplied into the shapes'.
 // Throws InputError with every error, each with its place. Limits: svg_document.h.
 LeafImport read_leaf(std::string_view svg_text, const std::string& file);

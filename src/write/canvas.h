@@ -7,8 +7,8 @@
 
 namespace edaha {
 
-// A picture of pixels that Cairo draws: the one place that knows Cairo, which keeps places to 1/256
-// of a pixel.
+// A picture of pixels that Cairo draws: beside png_pixels the one place that knows it. Cairo keeps
+// places to 1/256 of a pixel.
 class Canvas {
   public:
     // Errors: IoError where Cairo has no memory or the size is beyond it (32767 pixels a side).

@@ -10,10 +10,9 @@
 namespace edaha {
 
 // How instances of symbols are written.
-//   paths: the map, then the symbol's operators, letter for letter the same every time. Packed,
-//   that
-//          is small, and editors, which put every form into a group with a clipping path, get plain
-//          paths. But a page of many trees unpacks to a hundred megabytes and more.
+//   paths: the map, then the symbol's operators, the same letters every time. Packed, they
+//          are small, and editors, which put every form into a group with a clipping path, get
+//          plain paths. But a page of many trees unpacks to a hundred megabytes and more.
 //   forms: the map, then the symbol's form XObject (ISO 32000-1, 8.10). It is drawn in the state
 //          that its caller has set, so one form serves all tones: shapes without a colour of their
 //          own take the current one.
