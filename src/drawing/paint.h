@@ -2,13 +2,9 @@
 #pragma once
 #include <cstdint>
 
-namespace edaha {
+#include "base/colour.h"
 
-// sRGB, 8 bits a channel.
-struct Colour {
-    std::uint8_t r = 0, g = 0, b = 0;
-    bool operator==(const Colour&) const = default;
-};
+namespace edaha {
 
 // A colour, none, or the parent's (SVG's inheritance).
 struct Ink {

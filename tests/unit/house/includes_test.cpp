@@ -20,17 +20,25 @@ const std::map<std::string, Names> kRooms{
     {"geometry", {"base"}},
     {"drawing", {"base", "geometry"}},
     {"energy", {"base", "geometry", "drawing"}},
+    {"mesh", {"base", "geometry"}},
+    {"prism", {"base", "geometry", "mesh"}},
+    {"proproot", {"base", "geometry", "mesh"}},
+    {"flatten", {"base", "geometry", "drawing", "mesh"}},
     {"ornament", {"base", "geometry", "drawing"}},
-    {"style", {"base", "drawing", "energy", "ornament"}},
+    {"style", {"base", "drawing", "energy", "prism", "proproot", "flatten", "ornament"}},
     {"write", {"base", "geometry", "drawing"}},
-    {"app", {"base", "geometry", "drawing", "energy", "ornament", "style", "write"}}};
-const std::map<std::string, Names> kParamsOnly{{"style", {"energy", "ornament"}}};
+    {"app",
+     {"base", "geometry", "drawing", "mesh", "energy", "prism", "proproot", "flatten", "ornament",
+      "style", "write"}}};
+const std::map<std::string, Names> kParamsOnly{
+    {"style", {"energy", "prism", "proproot", "flatten", "ornament"}}};
 
 // Libraries, by how their headers begin, and the rooms that may name them.
 const std::map<std::string, Names> kLibraries{
     {"cairo", {"write"}},       {"qpdf/", {"write"}},
     {"zlib", {"write", "app"}}, {"pugixml", {"style", "ornament", "write"}},
     {"CLI/", {"app"}},          {"nlohmann/", {"app"}},
+    {"embree", {"flatten"}},    {"clipper", {"flatten"}},
     {"iostream", {"app"}}};
 
 std::string part_before(const std::string& text, char end) {
