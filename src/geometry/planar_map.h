@@ -4,11 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "base/none.h"
 #include "geometry/snap_round.h"
 
 namespace edaha {
-
-inline constexpr std::uint32_t kNone = 0xffffffffu;
 
 // Half-edge 2e runs along edge e, from -> to; 2e + 1 back.
 inline std::uint32_t twin(std::uint32_t half_edge) {
