@@ -41,7 +41,7 @@ class Forking {
     double draw(prism::Purpose purpose) const { return random_.uniform(prism_.key, purpose); }
 
     Case choose() const {
-        if (prism_.depth <= params_.bole) return Case::straight;
+        if (prism_.depth <= params_.bole || prism_.order >= params_.halvings) return Case::straight;
         const double straight = params_.straight, two_way = params_.two_way;
         const double u = draw(prism::kCase) * (straight + two_way + params_.mixed);
         return u < straight ? Case::straight : u < straight + two_way ? Case::two_way : Case::mixed;

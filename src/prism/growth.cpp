@@ -102,6 +102,7 @@ class PrismGrowth {
         prism.parent = parent;
         prism.depth = static_cast<std::uint16_t>(from.depth + 1);
         prism.child = shoot.child;
+        prism.order = static_cast<std::uint16_t>(from.order + (shoot.child == 0 ? 0 : 1));
         prism.base = shoot.section;
         // ma = m + ga (the paper prints m + mb for the other, a misprint)
         prism.origin = from.tip() + from.frame[0] * shoot.centre.x + from.frame[2] * shoot.centre.y;

@@ -20,6 +20,7 @@ struct Prism {
     std::int32_t parent = -1;  // before its children in the list
     std::uint16_t depth = 1;   // N: the trunk's first has 1
     std::uint8_t child = 0;    // 0: straight on, 1 and 2: on either half
+    std::uint16_t order = 0;   // halvings on the way from the foot
     bool last = true;          // nothing grows from it
     Mat3 frame{1};             // world from branch
     Vec3 origin{0};            // m: centroid of the base, before a mitre

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "prism/foliage.h"
 #include "prism/growth.h"
 #include "prism/purposes.h"
 
@@ -49,6 +50,7 @@ class Modelling {
             add_sites(prism);
             count(prism);
         }
+        add_foliage(places);
         tree_.counts.turned = grown_.turned;
         tree_.counts.dropped = grown_.dropped;
         return std::move(tree_);
@@ -115,6 +117,24 @@ class Modelling {
     void add_site(Vec3 position, Vec3 direction) {
         const auto part = static_cast<std::uint32_t>(tree_.mesh.parts.size() - 1);
         tree_.mesh.sites.push_back({position, direction, params_.site_mm, part});
+    }
+
+    void add_foliage(const std::vector<Place>& places) {
+        Mesh& mesh = tree_.mesh;
+        const auto masses = foliage_of(grown_.prisms, params_.foliage, random_);
+        if (!masses.empty()) mesh.materials.push_back({"leaf", std::nullopt});
+        for (const FoliageMass& mass : masses) {
+            MeshPart part;
+            part.name = "leaves-" + places[mass.bearer].path();
+            part.order = mesh.parts[mass.bearer].order;
+            part.parent = static_cast<std::int32_t>(mass.bearer);
+            part.material = 1;
+            mesh.parts.push_back(std::move(part));
+            for (const Triangle& triangle : mass.triangles)
+                add(triangle);
+            mesh.points.insert(mesh.points.end(), mass.points.begin(), mass.points.end());
+        }
+        tree_.counts.foliage = masses.size();
     }
 
     void count(const Prism& prism) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "prism/prism_tree.h"
 
-#include <numeric>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -126,6 +129,84 @@ TEST(PrismTree, SitesStandAtTheEndsAndAlongThinPrisms) {
         }
         EXPECT_LT(nearest, 1e-9);
     }
+}
+
+PrismParams leafy(FoliageShape shape) {
+    PrismParams params;
+    params.depth = 7;
+    params.straight = params.two_way = 0;
+    params.frame = PrismFrame::parallel;
+    params.foliage.shape = shape;
+    return params;
+}
+
+TEST(PrismTree, FoliageIsClosedMassesOfItsOwn) {
+    for (const FoliageShape shape :
+         {FoliageShape::balls, FoliageShape::tiers, FoliageShape::sprays}) {
+        for (const std::int64_t rings : {1, 2, 5}) {
+            PrismParams params = leafy(shape);
+            params.foliage.rings = rings;
+            params.foliage.roughness = 0.2;
+            const PrismTree tree = tree_of(params);
+            const Mesh& mesh = tree.mesh;
+            ASSERT_GT(tree.counts.foliage, 1U);
+            EXPECT_EQ(tree.counts.prisms + tree.counts.foliage, mesh.parts.size());
+            EXPECT_TRUE(oracles::is_closed(mesh));
+            for (std::uint32_t part = 0; part < mesh.parts.size(); ++part) {
+                const bool leaves = part >= tree.counts.prisms;
+                EXPECT_EQ(mesh.materials.at(mesh.parts[part].material).name,
+                          leaves ? "leaf" : "wood");
+                EXPECT_EQ(mesh.parts[part].name.starts_with("leaves-"), leaves);
+                EXPECT_GT(oracles::volume(mesh, part), 0) << mesh.parts[part].name;
+            }
+        }
+    }
+}
+
+// A body of revolution with n corners a ring has n/2 sin(2 pi/n) / pi of the round one's volume.
+TEST(PrismTree, SmoothBallsOfManySidesHaveABallsVolume) {
+    PrismParams params = leafy(FoliageShape::balls);
+    params.foliage.sides = 40;
+    params.foliage.rings = 39;
+    params.foliage.roughness = params.foliage.size_spread = 0;
+    params.foliage.stretch = 1.5;
+    const PrismTree tree = tree_of(params);
+    const double r = params.foliage.size_mm;
+    const double round = 4.0 / 3 * std::numbers::pi * r * r * r * 1.5;
+    for (std::size_t part = tree.counts.prisms; part < tree.mesh.parts.size(); ++part) {
+        const double volume = oracles::volume(tree.mesh, static_cast<std::uint32_t>(part));
+        EXPECT_NEAR(volume / round, 1, 0.02);
+    }
+}
+
+TEST(PrismTree, FoliageMovesNoBranch) {
+    const Mesh bare = tree_of(leafy(FoliageShape::none)).mesh;
+    const Mesh balls = tree_of(leafy(FoliageShape::balls)).mesh;
+    ASSERT_LT(bare.points.size(), balls.points.size());
+    EXPECT_TRUE(std::equal(bare.points.begin(), bare.points.end(), balls.points.begin()));
+    EXPECT_EQ(bare.materials.size(), 1U);
+}
+
+TEST(PrismTree, TiersStandOnTheTrunkOneAPrism) {
+    PrismParams params = leafy(FoliageShape::tiers);
+    params.foliage.from = 3;
+    const PrismTree tree = tree_of(params);
+    EXPECT_EQ(tree.counts.foliage, 5U);  // of depths 3 to 7
+    for (std::size_t part = tree.counts.prisms; part < tree.mesh.parts.size(); ++part) {
+        const auto bearer = static_cast<std::size_t>(tree.mesh.parts[part].parent);
+        EXPECT_TRUE(tree.mesh.parts[bearer].name.starts_with("trunk-"));
+    }
+}
+
+TEST(PrismTree, AfterItsHalvingsABranchGoesStraightOn) {
+    PrismParams params = leafy(FoliageShape::sprays);
+    params.halvings = 1;
+    params.both = 1;
+    const PrismTree tree = tree_of(params);
+    // A trunk of 7, and at each of its 6 forks two limbs that reach the same depth.
+    EXPECT_EQ(tree.counts.prisms, 7U + 2 * (6 + 5 + 4 + 3 + 2 + 1));
+    params.foliage.from = 7;
+    EXPECT_EQ(tree_of(params).counts.foliage, 13U);  // a spray a limb, a cone on the trunk
 }
 
 TEST(PrismTree, ParentsComeBeforeTheirChildren) {
