@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "flatten/absorb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace edaha {
+namespace {
+
+// Wider slivers are seen; to ask for more would cut tapering ends.
+constexpr double kThinnest_px = 0.2;
+
+class Absorber {
+  public:
+    Absorber(LabelledMap map, double min_area_px2)
+        : result_(std::move(map)),
+          map_(result_.map),
+          min_area_(min_area_px2 * result_.steps_per_px * result_.steps_per_px),
+          thinnest_(kThinnest_px * result_.steps_per_px) {}
+
+    LabelledMap absorb() {
+        label_ = result_.labels;
+        depth_ = result_.depth;
+        join_equal_faces();
+        measure();
+        collect_small();
+        while (!waiting_.empty()) {
+            const std::uint32_t region = waiting_.begin()->second;
+            waiting_.erase(waiting_.begin());
+            dissolve(region);
+        }
+        relabel();
+        return std::move(result_);
+    }
+
+  private:
+    std::uint32_t root(std::uint32_t face) {
+        while (parent_[face] != face)
+            face = parent_[face] = parent_[parent_[face]];
+        return face;
+    }
+    std::uint32_t region_left_of(std::uint32_t h) { return root(map_.face_of(h)); }
+    double edge_length(std::uint32_t h) const {
+        return glm::distance(to_vec(map_.nodes[map_.origin(h)]),
+                             to_vec(map_.nodes[map_.target(h)]));
+    }
+    bool is_background(std::uint32_t region) const { return label_[region].part == kNone; }
+
+    void join_equal_faces() {
+        parent_.resize(map_.faces());
+        std::iota(parent_.begin(), parent_.end(), 0U);
+        for (std::uint32_t h = 0; h < map_.next.size(); h += 2) {
+            const std::uint32_t a = map_.face_of(h), b = map_.face_of(h + 1);
+            if (result_.labels[a] == result_.labels[b]) join(root(a), root(b));
+        }
+    }
+
+    // The lower index stays: face 0 is always its region's root.
+    void join(std::uint32_t a, std::uint32_t b) { parent_[std::max(a, b)] = std::min(a, b); }
+
+    void measure() {
+        area_.assign(map_.faces(), 0);
+        border_.assign(map_.faces(), 0);
+        sky_border_.assign(map_.faces(), 0);
+        for (const PlanarMap::Loop& loop : map_.loops)
+            area_[root(loop.face)] += loop.area;
+        area_[0] = std::numeric_limits<double>::infinity();
+        for (std::uint32_t h = 0; h < map_.next.size(); ++h) {
+            const std::uint32_t a = region_left_of(h), b = region_left_of(twin(h));
+            if (a == b) continue;
+            const double length = edge_length(h);
+            border_[a] += length;
+            if (is_background(b)) sky_border_[a] += length;
+        }
+    }
+
+    bool is_small(std::uint32_t region) const {
+        if (area_[region] < min_area_) return true;
+        return 2 * area_[region] < thinnest_ * border_[region] &&
+               2 * sky_border_[region] < border_[region];
+    }
+
+    // Only small regions need to know their half-edges.
+    void collect_small() {
+        edges_of_.resize(map_.faces());
+        for (std::uint32_t face = 1; face < map_.faces(); ++face) {
+            if (parent_[face] == face && is_small(face)) waiting_.insert({area_[face], face});
+        }
+        for (std::uint32_t h = 0; h < map_.next.size(); ++h) {
+            const std::uint32_t a = region_left_of(h);
+            if (a != 0 && is_small(a) && a != region_left_of(twin(h))) edges_of_[a].push_back(h);
+        }
+    }
+
+    // The neighbour with the longest border; of equal ones the lowest.
+    std::uint32_t best_neighbour(std::uint32_t region) {
+        std::vector<std::pair<std::uint32_t, double>> shares;
+        for (const std::uint32_t h : edges_of_[region]) {
+            const std::uint32_t other = region_left_of(twin(h));
+            if (other != region) shares.emplace_back(other, edge_length(h));
+        }
+        std::sort(shares.begin(), shares.end());
+        std::uint32_t best = kNone;
+        double longest = 0;
+        for (std::size_t i = 0; i < shares.size();) {
+            double sum = 0;
+            const std::uint32_t other = shares[i].first;
+            for (; i < shares.size() && shares[i].first == other; ++i)
+                sum += shares[i].second;
+            if (sum > longest) longest = sum, best = other;
+        }
+        return best;
+    }
+
+    void dissolve(std::uint32_t region) {
+        const std::uint32_t other = best_neighbour(region);
+        if (other == kNone) return;
+        const FaceLabel label = label_[other];
+        const float depth = depth_[other];
+        const bool other_waits = waiting_.erase({area_[other], other}) > 0;
+        join(region, other);
+        const std::uint32_t joined = std::min(region, other);
+        area_[joined] = area_[region] + area_[other];
+        border_[joined] = border_[other];  // roughly: it matters for thin regions alone
+        sky_border_[joined] = sky_border_[other];
+        label_[joined] = label;
+        depth_[joined] = depth;
+        if (!other_waits) return;
+        std::vector<std::uint32_t> edges = std::move(edges_of_[other]);
+        edges.insert(edges.end(), edges_of_[region].begin(), edges_of_[region].end());
+        edges_of_[joined] = std::move(edges);
+        if (is_small(joined)) waiting_.insert({area_[joined], joined});
+    }
+
+    void relabel() {
+        const std::vector<FaceLabel> before = result_.labels;
+        for (std::uint32_t face = 0; face < map_.faces(); ++face) {
+            const std::uint32_t region = root(face);
+            if (before[face] == label_[region]) continue;
+            result_.labels[face] = label_[region];
+            result_.depth[face] = depth_[region];
+        }
+        for (std::uint32_t e = 0; e < map_.edges.size(); ++e) {
+            const std::uint32_t a = map_.face_of(2 * e), b = map_.face_of(2 * e + 1);
+            if (before[a].part == before[b].part) continue;
+            if (result_.labels[a].part == result_.labels[b].part) result_.line[e] = LineKind::none;
+        }
+    }
+
+    LabelledMap result_;
+    const PlanarMap& map_;
+    double min_area_, thinnest_;
+    std::vector<std::uint32_t> parent_;  // a face: towards its region's lowest face
+    std::vector<FaceLabel> label_;       // a region, by its lowest face
+    std::vector<float> depth_;
+    std::vector<double> area_, border_, sky_border_;
+    std::vector<std::vector<std::uint32_t>> edges_of_;
+    std::set<std::pair<double, std::uint32_t>> waiting_;
+};
+
+}  // namespace
+
+LabelledMap absorb_small_regions(LabelledMap map, double min_area_px2) {
+    return Absorber(std::move(map), min_area_px2).absorb();
+}
+
+}  // namespace edaha

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "flatten/labelled_map.h"
+
+namespace edaha {
+
+// The map without regions (faces of one label that hang together) that are too small or too thin
+// to be drawn: each joins the neighbour with which it has the longest border, the smallest first.
+// Small holes in which the background shows vanish like the others, as do specks that stand alone.
+// Too thin is what is narrower than a fifth of a pixel and not mostly against the background, where
+// it would be a twig. Borders and silhouettes round what vanished are lines no longer.
+// Expected O(E log E).
+LabelledMap absorb_small_regions(LabelledMap map, double min_area_px2);
+
+}  // namespace edaha

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "flatten/draw_flat.h"
+
+#include <utility>
+
+#include "flatten/absorb.h"
+#include "flatten/arc_curves.h"
+#include "flatten/fills.h"
+#include "flatten/kept_edges.h"
+#include "flatten/strokes.h"
+
+namespace edaha {
+namespace {
+
+FitParams fit_params(const LabelledMap& map, const FlattenParams& params) {
+    FitParams fit;
+    fit.steps_per_px = map.steps_per_px;
+    fit.smooth.tolerance = params.smoothing_px;
+    fit.smooth.straight = params.look == FlatLook::facets || params.smoothing_px <= 0;
+    return fit;
+}
+
+}  // namespace
+
+std::vector<Layer> draw_flat(LabelledMap map, std::span<const MeshPart> parts,
+                             const FlattenParams& params, const FlattenInks& inks,
+                             const FlatPlace& place) {
+    map = absorb_small_regions(std::move(map), params.min_area_px2);
+    const std::vector<std::uint32_t> kinds = kept_edges(map, params.look);
+    const ArcSet arcs = cut_arcs(map.map, kinds);
+    const RunSet runs = join_arcs(map.map, arcs, kinds, {2 * map.steps_per_px, 25});
+    const ArcCurves curves = fit_arcs(map.map, arcs, runs, fit_params(map, params));
+    const double scale = place.mm_per_px;
+    const FlatPicture picture{
+        map,    arcs,  kinds,
+        curves, parts, Affine(scale, 0, 0, scale, place.origin_mm.x, place.origin_mm.y),
+        scale};
+    std::vector<Layer> layers;
+    const bool filled = params.look != FlatLook::lines && params.look != FlatLook::blueprint;
+    if (filled) layers.push_back(draw_fills(picture, params, inks));
+    if (params.look != FlatLook::fills) layers.push_back(draw_lines(picture, params, inks));
+    return layers;
+}
+
+}  // namespace edaha

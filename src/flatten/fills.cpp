@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+#include "flatten/fills.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "base/parallel.h"
+#include "flatten/grow_ring.h"
+#include "flatten/paint_order.h"
+#include "geometry/measure.h"
+#include "geometry/region_rings.h"
+
+namespace edaha {
+namespace {
+
+constexpr std::size_t kWorthThreads = 64;
+
+// The rings of one label, outlines first.
+struct Area {
+    std::uint32_t label = 0;
+    std::uint32_t time = 0;  // when it is painted
+    std::vector<std::uint32_t> rings;
+    Path path;
+};
+
+// The rings of a labelling by label.
+struct Areas {
+    RegionRings rings;
+    std::vector<Area> areas;
+};
+
+Areas collect(const PlanarMap& map, std::span<const std::uint32_t> labels) {
+    Areas result;
+    result.rings = trace_region_rings(map, labels);
+    std::vector<std::uint32_t> order(result.rings.rings.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+        order[i] = i;
+    const auto& rings = result.rings.rings;
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const auto key = [&](std::uint32_t i) {
+            return std::tuple(rings[i].label, rings[i].area < 0, i);
+        };
+        return key(a) < key(b);
+    });
+    for (const std::uint32_t i : order) {
+        if (result.areas.empty() || result.areas.back().label != rings[i].label)
+            result.areas.push_back({rings[i].label, 0, {}, {}});
+        result.areas.back().rings.push_back(i);
+    }
+    return result;
+}
+
+std::uint32_t code(FaceLabel label) {
+    return label.part == kNone ? 0 : label.part * 8 + std::min<std::uint32_t>(label.tone, 7) + 1;
+}
+
+std::uint8_t mixed(std::uint8_t a, std::uint8_t b, double t) {
+    return static_cast<std::uint8_t>(std::lround(a + (double(b) - a) * t));
+}
+Colour mix(Colour a, Colour b, double t) {
+    return {mixed(a.r, b.r, t), mixed(a.g, b.g, t), mixed(a.b, b.b, t)};
+}
+
+// `share` from 0, the darkest, to 1.
+Colour tone_at(std::span<const Colour> tones, double share) {
+    if (tones.empty()) return {0x80, 0x80, 0x80};
+    const double place = share * static_cast<double>(tones.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(place), tones.size() - 1);
+    const std::size_t next = std::min(i + 1, tones.size() - 1);
+    return mix(tones[i], tones[next], place - static_cast<double>(i));
+}
+
+class FillPainter {
+  public:
+    FillPainter(const FlatPicture& picture, const FlattenParams& params, const FlattenInks& inks)
+        : picture_(picture),
+          map_(picture.map.map),
+          params_(params),
+          inks_(inks),
+          bands_(params.look == FlatLook::tones || params.look == FlatLook::facets
+                     ? std::max(params.bands, 1)
+                     : 1),
+          trap_px_(params.trap_mm / picture.mm_per_px),
+          order_(paint_order(picture.map, picture.parts.size(), bands_)) {}
+
+    Layer paint() {
+        Layer layer{"Fills", {}, {}};
+        if (order_.parts.empty()) return layer;
+        trace();
+        for (Areas* areas : {&bases_, &tones_}) {
+            for_each_index(areas->areas.size(), kWorthThreads, [&](std::size_t i) {
+                areas->areas[i].path = path_of(*areas, areas->areas[i]);
+            });
+        }
+        if (params_.trap_mm > 0) layer.children.emplace_back(underlay());
+        std::size_t base = 0, tone = 0;
+        sort_by_time();
+        for (const PaintOrder::Part& part : order_.parts) {
+            Group group{id_of(part.part), {}, {}};
+            const std::uint32_t last = order_.time_of_base(part.part) + 15;
+            for (; base < bases_.areas.size() && bases_.areas[base].time <= last; ++base)
+                add(group, bases_.areas[base], part, part.base);
+            for (; tone < tones_.areas.size() && tones_.areas[tone].time <= last; ++tone) {
+                const Area& area = tones_.areas[tone];
+                const auto band = static_cast<std::uint8_t>((area.label - 1) % 8);
+                if (band != part.base) add(group, area, part, band);
+            }
+            add_to(layer, std::move(group));
+        }
+        return layer;
+    }
+
+  private:
+    void trace() {
+        std::vector<std::uint32_t> labels(map_.faces()), parts(map_.faces());
+        for (std::size_t f = 0; f < labels.size(); ++f) {
+            labels[f] = code(picture_.map.labels[f]);
+            parts[f] = picture_.map.labels[f].part == kNone ? 0 : picture_.map.labels[f].part + 1;
+        }
+        bases_ = collect(map_, parts);
+        for (Area& area : bases_.areas)
+            area.time = order_.time_of_base(area.label - 1);
+        tones_ = collect(map_, labels);
+        for (Area& area : tones_.areas) {
+            area.time = order_.time({(area.label - 1) / 8, std::uint8_t((area.label - 1) % 8)});
+        }
+        measure_widths();
+    }
+
+    // How wide what is seen beside a half-edge is, roughly.
+    void measure_widths() {
+        width_.assign(map_.next.size(), HUGE_VALF);
+        for (const RegionRings::Ring& ring : tones_.rings.rings) {
+            if (ring.area <= 0) continue;
+            double length = 0;
+            for (const std::uint32_t h : tones_.rings.of(ring))
+                length += glm::distance(at(map_.origin(h)), at(map_.target(h)));
+            const double width = 2 * ring.area / length / picture_.map.steps_per_px;
+            for (const std::uint32_t h : tones_.rings.of(ring))
+                width_[h] = static_cast<float>(width);
+        }
+    }
+
+    Vec2 at(std::uint32_t node) const { return to_vec(map_.nodes[node]); }
+
+    void sort_by_time() {
+        for (Areas* areas : {&bases_, &tones_}) {
+            std::sort(areas->areas.begin(), areas->areas.end(), [](const Area& a, const Area& b) {
+                return std::pair(a.time, a.label) < std::pair(b.time, b.label);
+            });
+        }
+    }
+
+    std::uint32_t time_left_of(std::uint32_t h) const {
+        return order_.time(picture_.map.labels[map_.face_of(h)]);
+    }
+
+    // The first and last half-edge of a use.
+    std::uint32_t first_of(ArcUse use) const {
+        const Arc& arc = picture_.arcs.arcs[use.arc];
+        const auto& all = picture_.arcs.half_edges;
+        return use.forward ? all[arc.first] : twin(all[arc.end - 1]);
+    }
+    std::uint32_t last_of(ArcUse use) const { return twin(first_of({use.arc, !use.forward})); }
+
+    double growth(ArcUse use, std::uint32_t time) const {
+        const std::uint32_t h = twin(first_of(use));
+        if (time_left_of(h) <= time) return 0;
+        return std::min(trap_px_, 0.4 * double(width_[h]));
+    }
+
+    // How far an area painted at `time` may spread round the node that `spoke` leaves, on the side
+    // away from it, until what was painted before comes. `other` is its next border there.
+    GrownEnd end_kind(std::uint32_t spoke, std::uint32_t other, bool leftwards,
+                      std::uint32_t time) const {
+        std::vector<std::uint32_t> spokes;  // clockwise (where y points up), from this one on
+        for (std::uint32_t s = spoke; spokes.empty() || s != spoke; s = map_.next[twin(s)])
+            spokes.push_back(s);
+        const std::size_t count = spokes.size();
+        std::size_t turns = 0;
+        std::uint32_t s = spoke;
+        while (turns < count && time_left_of(leftwards ? s : twin(s)) > time) {
+            ++turns;
+            s = spokes[leftwards ? (count - turns) % count : turns % count];
+        }
+        if (s == other) return GrownEnd::open;
+        const Vec2 a = at(map_.target(spoke)) - at(map_.origin(spoke));
+        const Vec2 b = at(map_.target(s)) - at(map_.origin(s));
+        const double turn = (a.x * b.y - a.y * b.x) * (leftwards ? 1 : -1);
+        const bool narrow = turn > 0 && glm::dot(a, b) > 0.17 * glm::length(a) * glm::length(b);
+        return narrow ? GrownEnd::taper : GrownEnd::butt;
+    }
+
+    std::vector<CurvePiece> outline(std::span<const ArcUse> uses, std::uint32_t time) const {
+        std::vector<GrownPiece> ring;
+        for (std::size_t i = 0; i < uses.size();) {
+            const double by = growth(uses[i], time);
+            std::vector<CurveSpan> spans{picture_.curves.span(uses[i])};
+            std::size_t end = i + 1;
+            for (; end < uses.size() && growth(uses[end], time) == by; ++end) {
+                const CurveSpan next = picture_.curves.span(uses[end]);
+                if (next.run != spans.back().run || next.from != spans.back().to) break;
+                spans.push_back(next);
+            }
+            const std::size_t first = ring.size();
+            for (const CurvePiece& piece : pieces_along(picture_.curves, spans))
+                ring.push_back({piece, by, GrownEnd::open, GrownEnd::open});
+            if (by > 0 && ring.size() > first) {
+                const std::size_t before = (i + uses.size() - 1) % uses.size();
+                const std::uint32_t in = last_of(uses[end - 1]);
+                ring[first].start =
+                    end_kind(first_of(uses[i]), twin(last_of(uses[before])), false, time);
+                ring.back().end = end_kind(twin(in), first_of(uses[end % uses.size()]), true, time);
+            }
+            i = end;
+        }
+        return grow_ring(ring);
+    }
+
+    Path path_of(const Areas& areas, const Area& area) const {
+        Path path;
+        for (const std::uint32_t i : area.rings) {
+            const RegionRings::Ring& ring = areas.rings.rings[i];
+            const std::vector<ArcUse> uses = arcs_of_ring(picture_.arcs, areas.rings.of(ring));
+            Path outline_path;
+            append_pieces(outline_path, outline(uses, area.time), picture_.page_from_px);
+            if (outline_path.verbs.size() < 3) continue;
+            outline_path.close();
+            // Curves may turn a sliver inside out: then nothing of it is left.
+            if (signed_area(outline_path) * ring.area <= 0) continue;
+            if (path.empty() && ring.area < 0) continue;
+            path.verbs.insert(path.verbs.end(), outline_path.verbs.begin(),
+                              outline_path.verbs.end());
+            path.points.insert(path.points.end(), outline_path.points.begin(),
+                               outline_path.points.end());
+        }
+        return path;
+    }
+
+    Shape underlay() const {
+        std::vector<std::uint32_t> labels(map_.faces());
+        for (std::size_t f = 0; f < labels.size(); ++f)
+            labels[f] = picture_.map.labels[f].part == kNone ? 0 : 1;
+        const Areas all = collect(map_, labels);
+        const PaintOrder::Part& part = order_.parts.front();
+        return {"silhouette",
+                path_of(all, {1, ~0U, all.areas[0].rings, {}}),
+                {colour(part, part.base), {}, 0}};
+    }
+
+    Colour colour(const PaintOrder::Part& part, std::uint8_t tone) const {
+        const std::size_t material = picture_.parts[part.part].material;
+        std::span<const Colour> tones;
+        if (material < inks_.tones.size()) tones = inks_.tones[material];
+        const double share = bands_ > 1 ? double(tone) / (bands_ - 1) : 0.5;
+        return mix(tone_at(tones, std::min(share, 1.0)), inks_.paper,
+                   params_.fade * (1 - part.nearness));
+    }
+
+    std::string id_of(std::uint32_t part) const { return picture_.parts[part].name; }
+
+    void add(Group& group, const Area& area, const PaintOrder::Part& part,
+             std::uint8_t tone) const {
+        if (area.path.empty()) return;
+        Paint paint;
+        paint.fill = colour(part, tone);
+        group.children.emplace_back(Shape{"", area.path, paint});
+    }
+
+    static void add_to(Layer& layer, Group&& group) {
+        if (group.children.empty()) return;
+        if (group.children.size() > 1) {
+            layer.children.emplace_back(std::move(group));
+            return;
+        }
+        Shape shape = std::move(std::get<Shape>(group.children[0]));
+        shape.id = group.id;
+        layer.children.emplace_back(std::move(shape));
+    }
+
+    const FlatPicture& picture_;
+    const PlanarMap& map_;
+    const FlattenParams& params_;
+    const FlattenInks& inks_;
+    int bands_;
+    double trap_px_;
+    PaintOrder order_;
+    Areas bases_, tones_;
+    std::vector<float> width_;  // a half-edge: of what is to its left, in pixels
+};
+
+}  // namespace
+
+Layer draw_fills(const FlatPicture& picture, const FlattenParams& params, const FlattenInks& inks) {
+    return FillPainter(picture, params, inks).paint();
+}
+
+}  // namespace edaha

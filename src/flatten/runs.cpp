@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "flatten/runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "base/stable_math.h"
+
+namespace edaha {
+namespace {
+
+// Another kind counts as this much more of a turn (1 - cosine).
+constexpr double kChangeOfKind = 0.02;
+
+// The pair that turns least, if one turns little enough.
+void pair_best(std::span<const Spoke> spokes, double least_cos,
+               std::vector<std::uint32_t>& partner) {
+    double best = HUGE_VAL;
+    const Spoke *first = nullptr, *second = nullptr;
+    for (std::size_t i = 0; i < spokes.size(); ++i) {
+        for (std::size_t j = i + 1; j < spokes.size(); ++j) {
+            const double turn = 1 + glm::dot(spokes[i].direction, spokes[j].direction);
+            const double cost = turn + (spokes[i].kind != spokes[j].kind ? kChangeOfKind : 0);
+            if (turn > 1 - least_cos || cost >= best) continue;
+            best = cost, first = &spokes[i], second = &spokes[j];
+        }
+    }
+    if (first == nullptr) return;
+    partner[first->end] = second->end;
+    partner[second->end] = first->end;
+}
+
+// Walks along paired ends.
+class Follower {
+  public:
+    Follower(const ArcSet& arcs, std::span<const std::uint32_t> partner)
+        : arcs_(arcs), partner_(partner) {}
+
+    RunSet follow(std::span<const std::uint8_t> wanted) {
+        done_.assign(arcs_.arcs.size(), 0);
+        for (std::uint32_t a = 0; a < arcs_.arcs.size(); ++a) {
+            if (wanted[a] && !done_[a]) collect(a);
+        }
+        return std::move(result_);
+    }
+
+  private:
+    // An end that leaves a node is the arc's own start if it is left forward.
+    ArcUse before(ArcUse use) const {
+        const std::uint32_t end = partner_[2 * use.arc + (use.forward ? 0 : 1)];
+        return end == kNone ? ArcUse{} : ArcUse{end / 2, end % 2 != 0};
+    }
+    ArcUse after(ArcUse use) const {
+        const std::uint32_t end = partner_[2 * use.arc + (use.forward ? 1 : 0)];
+        return end == kNone ? ArcUse{} : ArcUse{end / 2, end % 2 == 0};
+    }
+
+    void collect(std::uint32_t arc) {
+        Run run;
+        run.closed = arcs_.arcs[arc].closed;
+        ArcUse use{arc, true};
+        for (ArcUse b = before(use); b.arc != kNone && !run.closed; b = before(use)) {
+            run.closed = b.arc == arc;
+            use = b;
+        }
+        if (run.closed) use = {arc, true};
+        run.first = static_cast<std::uint32_t>(result_.uses.size());
+        for (; use.arc != kNone && !done_[use.arc]; use = after(use)) {
+            done_[use.arc] = 1;
+            result_.uses.push_back(use);
+        }
+        run.end = static_cast<std::uint32_t>(result_.uses.size());
+        result_.runs.push_back(run);
+    }
+
+    const ArcSet& arcs_;
+    std::span<const std::uint32_t> partner_;
+    std::vector<std::uint8_t> done_;
+    RunSet result_;
+};
+
+}  // namespace
+
+RunSet follow_partners(const ArcSet& arcs, std::span<const std::uint32_t> partner,
+                       std::span<const std::uint8_t> wanted) {
+    return Follower(arcs, partner).follow(wanted);
+}
+
+std::vector<Spoke> spokes_of(const PlanarMap& map, const ArcSet& arcs,
+                             std::span<const std::uint32_t> kind_of_edge,
+                             std::span<const std::uint8_t> wanted, double window) {
+    std::vector<Spoke> spokes;
+    for (std::uint32_t a = 0; a < arcs.arcs.size(); ++a) {
+        if (arcs.arcs[a].closed || !wanted[a]) continue;
+        const std::uint32_t kind = kind_of_edge[arcs.half_edges[arcs.arcs[a].first] / 2];
+        for (const bool forward : {true, false}) {
+            const ArcUse use{a, forward};
+            const Vec2 direction = leaving_direction(map, arcs, use, window);
+            spokes.push_back({start_node(map, arcs, use), 2 * a + (forward ? 0 : 1),
+                              glm::normalize(direction), kind});
+        }
+    }
+    std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
+        return a.node != b.node ? a.node < b.node : a.end < b.end;
+    });
+    return spokes;
+}
+
+RunSet join_arcs(const PlanarMap& map, const ArcSet& arcs,
+                 std::span<const std::uint32_t> kind_of_edge, const RunParams& params) {
+    const std::vector<std::uint8_t> all(arcs.arcs.size(), 1);
+    const double least_cos = stable::sin_cos(params.most_turn * std::numbers::pi / 180).cos;
+    std::vector<std::uint32_t> partner(2 * arcs.arcs.size(), kNone);
+    visit_nodes(spokes_of(map, arcs, kind_of_edge, all, params.window),
+                [&](std::span<const Spoke> spokes) { pair_best(spokes, least_cos, partner); });
+    return follow_partners(arcs, partner, all);
+}
+
+Vec2 leaving_direction(const PlanarMap& map, const ArcSet& arcs, ArcUse from, double window) {
+    const std::span<const std::uint32_t> half_edges = arcs.of(arcs.arcs[from.arc]);
+    const GridPoint node = map.nodes[start_node(map, arcs, from)];
+    Vec2 direction(0);
+    for (std::size_t i = 0; i < half_edges.size(); ++i) {
+        const std::uint32_t h =
+            from.forward ? half_edges[i] : twin(half_edges[half_edges.size() - 1 - i]);
+        const GridVector way = map.nodes[map.target(h)] - node;
+        if (way.x == 0 && way.y == 0) break;
+        direction = {double(way.x), double(way.y)};
+        if (glm::dot(direction, direction) >= window * window) break;
+    }
+    return direction;
+}
+
+}  // namespace edaha

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#include "flatten/strokes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "base/parallel.h"
+#include "flatten/kept_edges.h"
+
+namespace edaha {
+namespace {
+
+// Costs of going on at a node, as 1 - cosine of the turn: 0 straight on, 1 a right angle.
+constexpr double kMostTurn = 1.3;  // 107 degrees, so that none of 120 comes about
+constexpr double kOtherKind = 0.25;
+constexpr double kSameRun = 0.5;  // saved: one curve is not cut
+
+// Kinds that may share a stroke: all that a surface ends by, all that lies on it.
+int family(LineKind kind) {
+    if (kind <= LineKind::contour) return 0;
+    return kind == LineKind::border ? 1 : 2;
+}
+
+class Chainer {
+  public:
+    Chainer(const FlatPicture& picture, const FlattenParams& params, bool hidden)
+        : picture_(picture), params_(params), arcs_(picture.arcs) {
+        wanted_.resize(arcs_.arcs.size());
+        for (std::uint32_t a = 0; a < wanted_.size(); ++a) {
+            const std::uint32_t kind = kind_of(a);
+            const LineKind line = line_of_kind(kind);
+            wanted_[a] = line < LineKind::tone && is_hidden_kind(kind) == hidden &&
+                         width_mm(params, line) > 0;
+        }
+    }
+
+    std::vector<Stroke> chain() {
+        spokes_ = spokes_of(picture_.map.map, arcs_, picture_.kind_of_edge, wanted_,
+                            kWindow_px * picture_.map.steps_per_px);
+        partner_.assign(2 * arcs_.arcs.size(), kNone);
+        visit_nodes(spokes_, [&](std::span<const Spoke> spokes) { pair(spokes); });
+        for (int round = 0; round < 2; ++round)
+            lengthen();
+        return collect();
+    }
+
+  private:
+    static constexpr double kWindow_px = 2;
+
+    std::uint32_t kind_of(std::uint32_t arc) const {
+        return picture_.kind_of_edge[arcs_.half_edges[arcs_.arcs[arc].first] / 2];
+    }
+    LineKind line_of(std::uint32_t arc) const { return line_of_kind(kind_of(arc)); }
+
+    // HUGE_VAL: not allowed.
+    double cost(const Spoke& a, const Spoke& b) const {
+        const double turn = 1 + glm::dot(a.direction, b.direction);
+        if (turn > kMostTurn) return HUGE_VAL;
+        const CurveSpan s = picture_.curves.span(a.use()), t = picture_.curves.span(b.use());
+        const bool one_run = s.run == t.run && s.from == t.from;
+        return turn + (a.kind != b.kind ? kOtherKind : 0) - (one_run ? kSameRun : 0);
+    }
+
+    bool fits(const Spoke& a, const Spoke& b) const {
+        return family(line_of_kind(a.kind)) == family(line_of_kind(b.kind));
+    }
+
+    void link(std::uint32_t a, std::uint32_t b) {
+        partner_[a] = b;
+        partner_[b] = a;
+    }
+
+    // The cheapest pairs first.
+    void pair(std::span<const Spoke> spokes) {
+        struct Pair {
+            double cost;
+            std::uint32_t a, b;
+        };
+        std::vector<Pair> pairs;
+        for (std::size_t i = 0; i < spokes.size(); ++i) {
+            for (std::size_t j = i + 1; j < spokes.size(); ++j) {
+                const double c = cost(spokes[i], spokes[j]);
+                if (c < HUGE_VAL && fits(spokes[i], spokes[j]))
+                    pairs.push_back({c, spokes[i].end, spokes[j].end});
+            }
+        }
+        std::stable_sort(pairs.begin(), pairs.end(),
+                         [](const Pair& a, const Pair& b) { return a.cost < b.cost; });
+        for (const Pair& p : pairs) {
+            if (partner_[p.a] == kNone && partner_[p.b] == kNone) link(p.a, p.b);
+        }
+    }
+
+    bool is_straight(std::uint32_t arc) const {
+        const CurveSpan span = picture_.curves.span_of[arc];
+        const std::vector<CurvePiece>& pieces = picture_.curves.runs[span.run].pieces;
+        const double low = std::min(span.from, span.to), high = std::max(span.from, span.to);
+        const auto first = static_cast<std::size_t>(low);
+        return high <= static_cast<double>(first) + 1 && first < pieces.size() &&
+               pieces[first].straight;
+    }
+
+    // How many ends of its chain an arc's end is away from a free one: 1 if this arc is the last.
+    bool is_last(std::uint32_t end) const { return partner_[end ^ 1U] == kNone; }
+
+    // Arcs that would be a stroke of two points take a neighbour at one of their nodes: a free end
+    // of any kind, or an end out of a longer stroke of which enough is left.
+    void lengthen() {
+        visit_nodes(spokes_, [&](std::span<const Spoke> spokes) {
+            for (const Spoke& spoke : spokes) {
+                const std::uint32_t arc = spoke.end / 2;
+                if (partner_[spoke.end] != kNone || partner_[spoke.end ^ 1U] != kNone) continue;
+                if (is_straight(arc)) lengthen(spoke, spokes);
+            }
+        });
+    }
+
+    void lengthen(const Spoke& spoke, std::span<const Spoke> spokes) {
+        const Spoke* best = nullptr;
+        double least = HUGE_VAL;
+        for (const Spoke& other : spokes) {
+            if (other.end / 2 == spoke.end / 2) continue;
+            double c = cost(spoke, other);
+            if (!fits(spoke, other)) c += 0.5;
+            const std::uint32_t partner = partner_[other.end];
+            if (partner != kNone) {
+                // What is cut off must not be such an arc itself.
+                if (partner / 2 == other.end / 2 || !fits(spoke, other)) continue;
+                if (is_last(partner) && is_straight(partner / 2)) continue;
+                c += 1;
+            }
+            if (c < least) least = c, best = &other;
+        }
+        if (best == nullptr) return;
+        if (partner_[best->end] != kNone) partner_[partner_[best->end]] = kNone;
+        link(spoke.end, best->end);
+    }
+
+    std::vector<Stroke> collect() const {
+        const RunSet chains = follow_partners(arcs_, partner_, wanted_);
+        std::vector<std::uint32_t> degree(picture_.map.map.nodes.size(), 0);
+        for (const Spoke& spoke : spokes_)
+            ++degree[spoke.node];
+        std::vector<Stroke> all(chains.runs.size());
+        for_each_index(all.size(), 256, [&](std::size_t i) {
+            const Run& run = chains.runs[i];
+            all[i] = stroke_of(chains.of(run), run.closed);
+            if (run.closed) return;
+            const PlanarMap& map = picture_.map.map;
+            all[i].joined = degree[start_node(map, arcs_, chains.of(run).front())] > 1 &&
+                            degree[end_node(map, arcs_, chains.of(run).back())] > 1;
+        });
+        std::vector<Stroke> strokes;
+        for (Stroke& stroke : all) {
+            const double shortest = stroke.joined ? 0.1 * params_.min_line_mm : params_.min_line_mm;
+            if (length_mm(stroke) >= shortest) strokes.push_back(std::move(stroke));
+        }
+        return strokes;
+    }
+
+    Stroke stroke_of(std::span<const ArcUse> uses, bool closed) const {
+        std::vector<CurveSpan> spans;
+        std::array<double, 8> share{};
+        for (const ArcUse& use : uses) {
+            spans.push_back(picture_.curves.span(use));
+            share[static_cast<std::size_t>(line_of(use.arc))] += arc_length(use.arc);
+        }
+        Stroke stroke;
+        stroke.pieces = pieces_along(picture_.curves, spans);
+        stroke.closed = closed;
+        stroke.kind =
+            static_cast<LineKind>(std::max_element(share.begin(), share.end()) - share.begin());
+        return stroke;
+    }
+
+    // In steps, along the map's edges.
+    double arc_length(std::uint32_t arc) const {
+        const PlanarMap& map = picture_.map.map;
+        double sum = 0;
+        for (const std::uint32_t h : arcs_.of(arcs_.arcs[arc])) {
+            sum +=
+                glm::distance(to_vec(map.nodes[map.origin(h)]), to_vec(map.nodes[map.target(h)]));
+        }
+        return sum;
+    }
+
+    double length_mm(const Stroke& stroke) const {
+        double sum = 0;
+        for (const CurvePiece& piece : stroke.pieces)
+            sum += piece.straight ? glm::distance(piece.curve.p0, piece.curve.p3)
+                                  : edaha::arc_length(piece.curve);
+        return sum * picture_.mm_per_px;
+    }
+
+    const FlatPicture& picture_;
+    const FlattenParams& params_;
+    const ArcSet& arcs_;
+    std::vector<std::uint8_t> wanted_;  // an arc
+    std::vector<Spoke> spokes_;
+    std::vector<std::uint32_t> partner_;  // an arc's end
+};
+
+Shape shape_of(const Stroke& stroke, const Affine& page_from_px) {
+    Shape shape;
+    append_pieces(shape.path, stroke.pieces, page_from_px);
+    if (stroke.closed) shape.path.close();
+    return shape;
+}
+
+struct KindName {
+    LineKind kind;
+    const char* name;
+};
+constexpr KindName kKinds[] = {{LineKind::intersection, "Intersections"},
+                               {LineKind::crease, "Creases"},
+                               {LineKind::border, "Borders"},
+                               {LineKind::contour, "Contours"},
+                               {LineKind::silhouette, "Silhouette"}};
+
+}  // namespace
+
+double width_mm(const FlattenParams& params, LineKind kind) {
+    switch (kind) {
+        case LineKind::silhouette:
+            return params.silhouette_mm;
+        case LineKind::contour:
+            return params.contour_mm;
+        case LineKind::border:
+            return params.border_mm;
+        case LineKind::crease:
+        case LineKind::intersection:
+            return params.crease_mm;
+        default:
+            return 0;
+    }
+}
+
+std::vector<Stroke> chain_strokes(const FlatPicture& picture, const FlattenParams& params,
+                                  bool hidden) {
+    return Chainer(picture, params, hidden).chain();
+}
+
+Layer draw_lines(const FlatPicture& picture, const FlattenParams& params, const FlattenInks& inks) {
+    Layer layer{"Lines", {Ink::none(), inks.line, 0}, {}};
+    const std::vector<Stroke> strokes = chain_strokes(picture, params, false);
+    for (const KindName& kind : kKinds) {
+        Group group{kind.name, {{}, {}, width_mm(params, kind.kind)}, {}};
+        for (const Stroke& stroke : strokes) {
+            if (stroke.kind != kind.kind) continue;
+            Shape shape = shape_of(stroke, picture.page_from_px);
+            if (shape.path.verbs.size() > 1) group.children.emplace_back(std::move(shape));
+        }
+        if (!group.children.empty()) layer.children.emplace_back(std::move(group));
+    }
+    return layer;
+}
+
+}  // namespace edaha
