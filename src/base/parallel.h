@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
 namespace edaha {
@@ -23,16 +24,17 @@ void for_each_index(std::size_t count, std::size_t least, const Body& body) {
 }
 
 // What body(i, found) appends to `found` for every i below `count`, in the order of i, whatever the
-// threads.
+// threads; on several from `least` on. For few long steps.
 template <typename Value, typename Body>
-std::vector<Value> gather(std::size_t count, const Body& body) {
-    constexpr std::size_t kChunk = 4096;
-    std::vector<std::vector<Value>> found((count + kChunk - 1) / kChunk);
-    for_each_index(found.size(), 2, [&](std::size_t chunk) {
-        const std::size_t end = std::min(count, (chunk + 1) * kChunk);
-        for (std::size_t i = chunk * kChunk; i < end; ++i)
-            body(i, found[chunk]);
-    });
+std::vector<Value> gather_chunks(std::size_t count, std::size_t least, const Body& body) {
+    if (count < least) {
+        std::vector<Value> found;
+        for (std::size_t i = 0; i < count; ++i)
+            body(i, found);
+        return found;
+    }
+    std::vector<std::vector<Value>> found(count);
+    for_each_index(count, least, [&](std::size_t i) { body(i, found[i]); });
     std::size_t total = 0;
     for (const auto& some : found)
         total += some.size();
@@ -41,6 +43,31 @@ std::vector<Value> gather(std::size_t count, const Body& body) {
     for (const auto& some : found)
         all.insert(all.end(), some.begin(), some.end());
     return all;
+}
+
+// The same for many short steps.
+template <typename Value, typename Body>
+std::vector<Value> gather(std::size_t count, const Body& body) {
+    constexpr std::size_t kChunk = 4096;
+    const auto chunk = [&](std::size_t i, std::vector<Value>& found) {
+        const std::size_t end = std::min(count, (i + 1) * kChunk);
+        for (std::size_t k = i * kChunk; k < end; ++k)
+            body(k, found);
+    };
+    return gather_chunks<Value>((count + kChunk - 1) / kChunk, 2, chunk);
+}
+
+// Sorts by several threads if there is much to sort. `less` leaves no two items undecided that
+// differ, so the result does not depend on them.
+template <typename Items, typename Less>
+void sort_all(Items& items, const Less& less) {
+    constexpr std::size_t kWorthThreads = 50'000;
+    if (items.size() < kWorthThreads) {
+        std::sort(items.begin(), items.end(), less);
+    } else {
+        tbb::this_task_arena::isolate(
+            [&] { tbb::parallel_sort(items.begin(), items.end(), less); });
+    }
 }
 
 }  // namespace edaha

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "base/parallel.h"
 #include "geometry/neighbours.h"
 
 namespace edaha {
@@ -74,20 +76,20 @@ GridPoint unpacked(std::uint64_t key) {
 }
 
 std::vector<GridPoint> find_nodes(std::span<const GridSegment> segments) {
-    std::vector<std::uint64_t> keys;
-    keys.reserve(segments.size() * 2);
+    const NeighbourGroups groups(segments, {});
+    auto keys = groups.gather<std::uint64_t>(
+        [&](std::span<const std::uint32_t> near, auto, std::vector<std::uint64_t>& found) {
+            for (std::size_t i = 0; i < near.size(); ++i) {
+                for (std::size_t j = i + 1; j < near.size(); ++j) {
+                    const GridSegment& s = segments[near[i]];
+                    const GridSegment& t = segments[near[j]];
+                    if (cross_properly(s, t)) found.push_back(packed(rounded_crossing(s, t)));
+                }
+            }
+        });
     for (const GridSegment& s : segments)
         keys.push_back(packed(s.a)), keys.push_back(packed(s.b));
-    visit_neighbours(segments, {}, [&](std::span<const std::uint32_t> near, auto) {
-        for (std::size_t i = 0; i < near.size(); ++i) {
-            for (std::size_t j = i + 1; j < near.size(); ++j) {
-                const GridSegment& s = segments[near[i]];
-                const GridSegment& t = segments[near[j]];
-                if (cross_properly(s, t)) keys.push_back(packed(rounded_crossing(s, t)));
-            }
-        }
-    });
-    std::sort(keys.begin(), keys.end());
+    sort_all(keys, std::less<>());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
     std::vector<GridPoint> nodes(keys.size());
     std::transform(keys.begin(), keys.end(), nodes.begin(), unpacked);
@@ -104,30 +106,30 @@ struct Stop {
 // their centres are in order along its direction, without ties.
 std::vector<Stop> find_stops(std::span<const GridSegment> segments,
                              std::span<const GridPoint> nodes) {
-    std::vector<Stop> found;
-    found.reserve(segments.size() * 3);
-    std::vector<std::uint32_t> first(segments.size() + 2, 0);
-    visit_neighbours(
-        segments, nodes,
-        [&](std::span<const std::uint32_t> near, std::span<const std::uint32_t> points) {
+    const NeighbourGroups groups(segments, nodes);
+    const auto found =
+        groups.gather<Stop>([&](std::span<const std::uint32_t> near,
+                                std::span<const std::uint32_t> points, std::vector<Stop>& stops) {
             for (const std::uint32_t i : near) {
                 const GridSegment& s = segments[i];
                 for (const std::uint32_t node : points) {
-                    if (!passes_pixel(s, nodes[node])) continue;
-                    found.push_back({i, node, dot(s.b - s.a, nodes[node] - s.a)});
-                    ++first[i + 2];
+                    if (passes_pixel(s, nodes[node]))
+                        stops.push_back({i, node, dot(s.b - s.a, nodes[node] - s.a)});
                 }
             }
         });
+    std::vector<std::uint32_t> first(segments.size() + 2, 0);
+    for (const Stop& stop : found)
+        ++first[stop.segment + 2];
     for (std::size_t i = 1; i < first.size(); ++i)
         first[i] += first[i - 1];
     std::vector<Stop> stops(found.size());
     for (const Stop& stop : found)
         stops[first[stop.segment + 1]++] = stop;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
+    for_each_index(segments.size(), 20'000, [&](std::size_t i) {
         std::sort(stops.begin() + first[i], stops.begin() + first[i + 1],
                   [](const Stop& a, const Stop& b) { return a.along < b.along; });
-    }
+    });
     return stops;
 }
 
@@ -145,7 +147,7 @@ std::vector<Passage> find_passages(std::span<const Stop> stops) {
         passages.push_back({static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b),
                             {stops[i].segment, a < b}});
     }
-    std::sort(passages.begin(), passages.end(), [](const Passage& p, const Passage& q) {
+    sort_all(passages, [](const Passage& p, const Passage& q) {
         return p.edge != q.edge ? p.edge < q.edge : p.use.segment < q.use.segment;
     });
     return passages;
