@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "flatten/flatten.h"
+
+#include <utility>
+
+#include "flatten/draw_flat.h"
+#include "flatten/make_map.h"
+
+namespace edaha {
+namespace {
+
+FlatPlace place_of(const View& view, const FlattenParams& params) {
+    FlatPlace place;
+    place.mm_per_px = params.mm_per_unit > 0
+                          ? params.mm_per_unit * kStepsPerPx / view.steps_per_unit
+                          : params.size_mm / params.resolution;
+    place.origin_mm = view.origin * (-place.mm_per_px / kStepsPerPx);
+    return place;
+}
+
+std::size_t count_elements(const std::vector<Element>& elements) {
+    std::size_t count = elements.size();
+    for (const Element& element : elements) {
+        if (const auto* group = std::get_if<Group>(&element))
+            count += count_elements(group->children);
+    }
+    return count;
+}
+
+}  // namespace
+
+Flattened flatten(const Mesh& mesh, const FlattenParams& params, const FlattenInks& inks) {
+    Flattened result;
+    if (mesh.triangles.empty()) return result;
+    StepClock clock;
+    SeenMesh seen = see_mesh(mesh, params, clock);
+    const FlatPlace place = place_of(seen.view, params);
+    result.frame.mm_per_unit = seen.view.steps_per_unit * place.mm_per_px / kStepsPerPx;
+    result.layers = draw_flat(std::move(seen.map), mesh.parts, params, inks, place);
+    std::size_t elements = 0;
+    for (const Layer& layer : result.layers)
+        elements += count_elements(layer.children);
+    clock.end_step("draw", elements, "elements");
+    result.steps = clock.take();
+    return result;
+}
+
+}  // namespace edaha
