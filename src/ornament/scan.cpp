@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/utf8.h"
+
 namespace edaha {
 namespace {
 
@@ -26,22 +28,6 @@ bool vanishes(std::string_view number) {
     const std::size_t exponent = number.find_first_of("eE");
     if (exponent != std::string_view::npos) return number[exponent + 1] == '-';
     return number.front() == '0' || number.front() == '.';
-}
-
-// Length of the UTF-8 sequence that begins `text`; 0 if that is none.
-std::size_t code_point_length(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text.front());
-    const std::size_t length = lead < 0x80   ? 1
-                               : lead < 0xC2 ? 0
-                               : lead < 0xE0 ? 2
-                               : lead < 0xF0 ? 3
-                               : lead < 0xF5 ? 4
-                                             : 0;
-    if (length > text.size()) return 0;
-    const bool whole =
-        std::all_of(text.begin() + 1, text.begin() + std::max<std::size_t>(length, 1),
-                    [](char c) { return (c & 0xC0) == 0x80; });
-    return whole ? length : 0;
 }
 
 }  // namespace
@@ -117,34 +103,7 @@ std::string Scanner::sign_here() const {
     if (text_.empty()) return "''";
     if (at_end()) return "the end";
     const std::string_view rest = text_.substr(at_);
-    return quoted(rest.substr(0, std::max<std::size_t>(code_point_length(rest), 1)));
-}
-
-std::string quoted(std::string_view text) {
-    constexpr std::size_t kLongest = 40;
-    std::string kept = "'";
-    while (!text.empty()) {
-        if (kept.size() > kLongest) {
-            kept += "...";
-            break;
-        }
-        const std::size_t length = code_point_length(text);
-        const bool printable =
-            length > 1 || (length == 1 && text.front() >= ' ' && text.front() != '\x7f');
-        if (printable) {
-            kept += text.substr(0, length);
-        } else {
-            kept += length == 1 && is_space(text.front()) ? ' ' : '?';
-        }
-        text.remove_prefix(std::max<std::size_t>(length, 1));
-    }
-    return kept + '\'';
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(kSpace);
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
+    return quoted(rest.substr(0, first_character(rest).bytes));
 }
 
 std::string lower_case(std::string_view text) {

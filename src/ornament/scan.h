@@ -2,22 +2,13 @@
 #pragma once
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "base/quoted.h"
+#include "base/syntax_error.h"
+
 namespace edaha {
-
-// A value that does not follow its grammar, and where in the value.
-class SyntaxError : public std::runtime_error {
-  public:
-    SyntaxError(std::size_t offset, const std::string& message)
-        : std::runtime_error(message), offset_(offset) {}
-    std::size_t offset() const { return offset_; }
-
-  private:
-    std::size_t offset_;
-};
 
 // Larger numbers are refused: beyond any drawing, and far enough from the end of double's range
 // that sums and squares of a million of them stay finite.
@@ -52,11 +43,6 @@ class Scanner {
     std::string_view text_;
     std::size_t at_ = 0;
 };
-
-// 'text' for a message: shortened to 40 bytes, without line ends and broken UTF-8.
-std::string quoted(std::string_view text);
-
-std::string_view trimmed(std::string_view text);
 
 // ASCII letters only.
 std::string lower_case(std::string_view text);

@@ -2,6 +2,9 @@
 #include <benchmark/benchmark.h>
 
 #include "mesh/edges.h"
+#include "mesh/mesh_check.h"
+#include "mesh/obj.h"
+#include "mesh/ply.h"
 
 namespace edaha {
 namespace {
@@ -40,6 +43,53 @@ void edges_of_torus(benchmark::State& state) {
     count_per_triangle(state, mesh);
 }
 BENCHMARK(edges_of_torus)->Arg(274)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+void count_bytes(benchmark::State& state, const Mesh& mesh, std::size_t bytes) {
+    count_per_triangle(state, mesh);
+    state.counters["bytes"] = static_cast<double>(bytes);
+}
+
+void read_obj_of_torus(benchmark::State& state) {
+    const Mesh mesh = torus(static_cast<std::uint32_t>(state.range(0)));
+    const std::string text = write_obj(mesh, "").obj;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(read_obj(text, "").mesh.points.data());
+    count_bytes(state, mesh, text.size());
+}
+BENCHMARK(read_obj_of_torus)->Arg(707)->Unit(benchmark::kMillisecond);
+
+void read_ply_of_torus(benchmark::State& state) {
+    const Mesh mesh = torus(static_cast<std::uint32_t>(state.range(0)));
+    const std::string bytes = write_ply(mesh);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(read_ply(bytes, "").mesh.points.data());
+    count_bytes(state, mesh, bytes.size());
+}
+BENCHMARK(read_ply_of_torus)->Arg(707)->Unit(benchmark::kMillisecond);
+
+void write_obj_of_torus(benchmark::State& state) {
+    const Mesh mesh = torus(static_cast<std::uint32_t>(state.range(0)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(write_obj(mesh, "").obj.data());
+    count_per_triangle(state, mesh);
+}
+BENCHMARK(write_obj_of_torus)->Arg(707)->Unit(benchmark::kMillisecond);
+
+void validate_torus(benchmark::State& state) {
+    const Mesh mesh = torus(static_cast<std::uint32_t>(state.range(0)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(validate(mesh));
+    count_per_triangle(state, mesh);
+}
+BENCHMARK(validate_torus)->Arg(707)->Unit(benchmark::kMillisecond);
+
+void mend_torus(benchmark::State& state) {
+    const Mesh mesh = torus(static_cast<std::uint32_t>(state.range(0)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(mend(mesh).points.data());
+    count_per_triangle(state, mesh);
+}
+BENCHMARK(mend_torus)->Arg(707)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace edaha
