@@ -7,8 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
 #include "base/keyed_random.h"
 #include "base/parallel.h"
 #include "flatten/box_pairs.h"
@@ -43,17 +41,41 @@ struct Side {
 // Coordinates differ by less than 2^30, so the error of the sum of products in doubles is below.
 constexpr double kSurely = double(std::int64_t{1} << 42);
 
-Side side_of(FinePoint a, FinePoint b, FinePoint c, FinePoint p) {
-    const std::int64_t ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
-    const std::int64_t vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
-    const std::int64_t px = p.x - a.x, py = p.y - a.y, pz = p.z - a.z;
-    const std::int64_t nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
-    const double volume =
-        double(nx) * double(px) + double(ny) * double(py) + double(nz) * double(pz);
-    if (std::abs(volume) > kSurely) return {volume, volume > 0};
-    const Int128 exact = Int128{nx} * px + Int128{ny} * py + Int128{nz} * pz;
-    return {static_cast<double>(exact), exact >= 0};
-}
+// Through three points.
+class Plane {
+  public:
+    Plane(FinePoint a, FinePoint b, FinePoint c) : a_(a) {
+        const std::int64_t ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
+        const std::int64_t vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
+        x_ = uy * vz - uz * vy, y_ = uz * vx - ux * vz, z_ = ux * vy - uy * vx;
+    }
+
+    Side side_of(FinePoint p) const {
+        const std::int64_t px = p.x - a_.x, py = p.y - a_.y, pz = p.z - a_.z;
+        const double volume =
+            double(x_) * double(px) + double(y_) * double(py) + double(z_) * double(pz);
+        if (std::abs(volume) > kSurely) return {volume, volume > 0};
+        const Int128 exact = Int128{x_} * px + Int128{y_} * py + Int128{z_} * pz;
+        return {static_cast<double>(exact), exact >= 0};
+    }
+
+    // Of a point two steps away, or a little more.
+    double volume_near() const {
+        constexpr double kTwoSteps = 64;
+        return kTwoSteps * (std::abs(double(x_)) + std::abs(double(y_)) + std::abs(double(z_)));
+    }
+
+  private:
+    FinePoint a_;
+    std::int64_t x_, y_, z_;
+};
+
+// What two triangles have in common.
+struct Meeting {
+    std::uint32_t first = 0, second = 0;
+    bool flush = false;
+    std::optional<ViewSegment> segment;
+};
 
 class PairCutter {
   public:
@@ -68,55 +90,54 @@ class PairCutter {
                        [&](std::size_t i) { fine_[i] = moved_aside(view.at[i], part[i]); });
     }
 
-    std::optional<ViewSegment> cut(std::uint32_t first, std::uint32_t second) const {
+    std::optional<Meeting> meet(std::uint32_t first, std::uint32_t second) const {
         const Triangle &s = triangles_[first], &t = triangles_[second];
         for (const std::uint32_t p : s) {
             if (p == t[0] || p == t[1] || p == t[2]) return std::nullopt;
         }
-        std::array<ViewPoint, 2> ends;
-        int found = 0;
-        if (!pierce(s, t, ends, found) || !pierce(t, s, ends, found)) return std::nullopt;
-        if (found != 2 || on_screen(ends[0]) == on_screen(ends[1])) return std::nullopt;
-        // Surfaces that lie on each other don't show where the hash makes them cross.
-        const LineKind kind = is_flush(s, t) ? LineKind::tone : LineKind::intersection;
-        return ViewSegment{ends[0], ends[1], first, second, kind};
+        Meeting meeting{first, second, false, std::nullopt};
+        Ends ends;
+        if (pierce(s, t, ends, meeting.flush) && pierce(t, s, ends, meeting.flush) &&
+            ends.count == 2 && on_screen(ends.at[0]) != on_screen(ends.at[1])) {
+            // Surfaces that lie on each other don't show where the hash makes them cross.
+            const LineKind kind = meeting.flush ? LineKind::tone : LineKind::intersection;
+            meeting.segment = ViewSegment{ends.at[0], ends.at[1], first, second, kind};
+        }
+        if (!meeting.flush && !meeting.segment) return std::nullopt;
+        return meeting;
     }
 
   private:
-    FinePoint at(std::uint32_t point) const { return fine_[point]; }
+    struct Ends {
+        std::array<ViewPoint, 2> at;
+        std::size_t count = 0;
+    };
 
-    // Whether all of s is within a step of the plane of t.
-    bool is_flush(const Triangle& s, const Triangle& t) const {
-        const auto place = [this](std::uint32_t point) {
-            const ViewPoint p = view_.at[point];
-            return Vec3(p.x, p.y, p.z);
-        };
-        const Vec3 a = place(t[0]);
-        const Vec3 normal = glm::cross(place(t[1]) - a, place(t[2]) - a);
-        const double length = glm::length(normal);
-        return std::all_of(s.begin(), s.end(), [&](std::uint32_t point) {
-            return std::abs(glm::dot(place(point) - a, normal)) <= length;
-        });
-    }
-
-    // Where the edges of s go through t; false if all of s lies on one side of it.
-    bool pierce(const Triangle& s, const Triangle& t, std::array<ViewPoint, 2>& ends,
-                int& found) const {
-        std::array<Side, 3> sides;
-        for (std::size_t i = 0; i < 3; ++i)
-            sides[i] = side_of(at(t[0]), at(t[1]), at(t[2]), at(s[i]));
+    // Where the edges of s go through t; false if all of s lies on one side of it. Flush if all of
+    // it is close.
+    bool pierce(const Triangle& s, const Triangle& t, Ends& ends, bool& flush) const {
+        const Plane plane(fine_[t[0]], fine_[t[1]], fine_[t[2]]);
+        const std::array<Side, 3> sides{plane.side_of(fine_[s[0]]), plane.side_of(fine_[s[1]]),
+                                        plane.side_of(fine_[s[2]])};
+        flush = flush || is_flush(plane, sides);
         if (sides[0].above == sides[1].above && sides[1].above == sides[2].above) return false;
         for (std::size_t i = 0; i < 3; ++i) {
             std::size_t from = i, to = (i + 1) % 3;
             if (sides[from].above == sides[to].above) continue;
             if (s[from] > s[to]) std::swap(from, to);
             if (!passes(s[from], s[to], t)) continue;
-            if (found < 2)
-                ends[static_cast<std::size_t>(found)] = between(
-                    view_.at[s[from]], view_.at[s[to]], sides[from].volume, sides[to].volume);
-            ++found;
+            if (ends.count < 2)
+                ends.at[ends.count] = between(view_.at[s[from]], view_.at[s[to]],
+                                              sides[from].volume, sides[to].volume);
+            ++ends.count;
         }
         return true;
+    }
+
+    static bool is_flush(const Plane& plane, const std::array<Side, 3>& sides) {
+        const double near = plane.volume_near();
+        return std::abs(sides[0].volume) <= near && std::abs(sides[1].volume) <= near &&
+               std::abs(sides[2].volume) <= near;
     }
 
     // Whether the line p -> q goes by all edges of t on one side.
@@ -125,8 +146,8 @@ class PairCutter {
         return first == goes_left(p, q, t[1], t[2]) && first == goes_left(p, q, t[2], t[0]);
     }
     bool goes_left(std::uint32_t p, std::uint32_t q, std::uint32_t a, std::uint32_t b) const {
-        return a < b ? side_of(at(p), at(q), at(a), at(b)).above
-                     : !side_of(at(p), at(q), at(b), at(a)).above;
+        return a < b ? Plane(fine_[p], fine_[q], fine_[a]).side_of(fine_[b]).above
+                     : !Plane(fine_[p], fine_[q], fine_[b]).side_of(fine_[a]).above;
     }
 
     static ViewPoint between(ViewPoint p, ViewPoint q, double at_p, double at_q) {
@@ -144,21 +165,18 @@ class PairCutter {
 };
 
 ViewBox box_of(const View& view, const Triangle& triangle) {
-    ViewBox box{{HUGE_VALF, HUGE_VALF, HUGE_VALF}, {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF}};
-    for (const std::uint32_t point : triangle) {
+    ViewBox box{view.at[triangle[0]], view.at[triangle[0]]};
+    for (const std::uint32_t point : {triangle[1], triangle[2]}) {
         const ViewPoint p = view.at[point];
-        const std::array<float, 3> place{float(p.x), float(p.y), float(p.z)};
-        for (std::size_t i = 0; i < 3; ++i) {
-            box.min[i] = std::min(box.min[i], place[i]);
-            box.max[i] = std::max(box.max[i], place[i]);
-        }
+        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
+        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
     }
     return box;
 }
 
 }  // namespace
 
-std::vector<ViewSegment> intersect_shown(const View& view, const Mesh& mesh) {
+Crossings intersect_shown(const View& view, const Mesh& mesh) {
     const std::vector<Triangle>& triangles = mesh.triangles;
     std::vector<std::uint32_t> shown;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
@@ -169,15 +187,20 @@ std::vector<ViewSegment> intersect_shown(const View& view, const Mesh& mesh) {
                    [&](std::size_t i) { boxes[i] = box_of(view, triangles[shown[i]]); });
     const auto pairs = overlapping_pairs(boxes);
     const PairCutter cutter(view, mesh);
-    std::vector<ViewSegment> segments =
-        gather<ViewSegment>(pairs.size(), [&](std::size_t i, auto& found) {
-            const auto segment = cutter.cut(shown[pairs[i][0]], shown[pairs[i][1]]);
-            if (segment) found.push_back(*segment);
-        });
-    std::sort(segments.begin(), segments.end(), [](const ViewSegment& s, const ViewSegment& t) {
-        return s.triangle != t.triangle ? s.triangle < t.triangle : s.other < t.other;
+    std::vector<Meeting> meetings = gather<Meeting>(pairs.size(), [&](std::size_t i, auto& found) {
+        const auto meeting = cutter.meet(shown[pairs[i][0]], shown[pairs[i][1]]);
+        if (meeting) found.push_back(*meeting);
     });
-    return segments;
+    sort_all(meetings, [](const Meeting& s, const Meeting& t) {
+        return s.first != t.first ? s.first < t.first : s.second < t.second;
+    });
+    Crossings crossings;
+    crossings.flush.assign(triangles.size(), 0);
+    for (const Meeting& meeting : meetings) {
+        if (meeting.flush) crossings.flush[meeting.first] = crossings.flush[meeting.second] = 1;
+        if (meeting.segment) crossings.segments.push_back(*meeting.segment);
+    }
+    return crossings;
 }
 
 }  // namespace edaha

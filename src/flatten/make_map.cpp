@@ -32,7 +32,8 @@ SeenMesh see_mesh(const Mesh& mesh, const FlattenParams& params, StepClock& cloc
     view.shown = find_shown(mesh, edges, view);
     std::vector<ViewSegment> segments = edge_segments(mesh, edges, view, params.crease_rad);
     clock.end_step("edges", segments.size(), "segments");
-    append(segments, intersect_shown(view, mesh));
+    Crossings crossings = intersect_shown(view, mesh);
+    append(segments, std::move(crossings.segments));
     clock.end_step("intersections", segments.size(), "segments");
     ToneField tones = make_tones(mesh, edges, view, params);
     append(segments, tone_segments(mesh, edges, view, tones));
@@ -45,7 +46,7 @@ SeenMesh see_mesh(const Mesh& mesh, const FlattenParams& params, StepClock& cloc
     map.map = build_planar_map(arrangement.nodes, arrangement.edges);
     clock.end_step("map", map.map.faces(), "faces");
 
-    RayScene rays(view, mesh);
+    RayScene rays(view, mesh, std::move(crossings.flush));
     clock.end_step("ray scene", mesh.triangles.size(), "triangles");
     const Scene scene{mesh, view, tones, rays};
     label_faces(map, scene);

@@ -33,14 +33,14 @@ float depth_of(float z) {
 
 // Rejects all hits, but remembers the lowest part's.
 struct LowestPart : RTCIntersectContext {
-    std::span<const std::uint32_t> part_of;
+    std::span<const std::uint32_t> part_of, shown;
     std::uint32_t triangle = kNone;
     float u = 0, v = 0;
 
     static void consider(const RTCFilterFunctionNArguments* args) {
         auto& self = *static_cast<LowestPart*>(args->context);
         args->valid[0] = 0;
-        const std::uint32_t candidate = RTCHitN_primID(args->hit, args->N, 0);
+        const std::uint32_t candidate = self.shown[RTCHitN_primID(args->hit, args->N, 0)];
         if (self.triangle != kNone && std::pair(self.part_of[self.triangle], self.triangle) <=
                                           std::pair(self.part_of[candidate], candidate))
             return;
@@ -51,11 +51,12 @@ struct LowestPart : RTCIntersectContext {
 };
 
 struct Strangers : RTCIntersectContext {
+    std::span<const std::uint32_t> shown;
     std::array<std::uint32_t, 2> own{};
 
     static void consider(const RTCFilterFunctionNArguments* args) {
         const auto& self = *static_cast<const Strangers*>(args->context);
-        const std::uint32_t candidate = RTCHitN_primID(args->hit, args->N, 0);
+        const std::uint32_t candidate = self.shown[RTCHitN_primID(args->hit, args->N, 0)];
         if (candidate == self.own[0] || candidate == self.own[1]) args->valid[0] = 0;
     }
 };
@@ -64,26 +65,35 @@ struct Strangers : RTCIntersectContext {
 
 struct RayScene::State {
     std::span<const std::uint32_t> part_of;
+    std::vector<std::uint32_t> shown;  // the scene's triangles, as the mesh counts them
+    std::vector<std::uint8_t> flush;
     EmbreeDevice device = embree_device();
     EmbreeScene scene;
 };
 
-RayScene::RayScene(const View& view, const Mesh& mesh) : state_(std::make_unique<State>()) {
+RayScene::RayScene(const View& view, const Mesh& mesh, std::vector<std::uint8_t> flush)
+    : state_(std::make_unique<State>()) {
     state_->part_of = mesh.part_of;
+    state_->flush = std::move(flush);
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (view.shown[i]) state_->shown.push_back(i);
+    }
     EmbreeGeometry geometry(rtcNewGeometry(state_->device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
     auto* points = static_cast<float*>(
         rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                 3 * sizeof(float), view.at.size()));
     auto* corners = static_cast<std::uint32_t*>(
         rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                sizeof(Triangle), mesh.triangles.size()));
-    if (points == nullptr || corners == nullptr) throw std::bad_alloc();
+                                sizeof(Triangle), state_->shown.size()));
+    if (points == nullptr || (corners == nullptr && !state_->shown.empty())) throw std::bad_alloc();
     for (std::size_t i = 0; i < view.at.size(); ++i) {
         const ViewPoint p = view.at[i];
         points[3 * i] = float(p.x), points[3 * i + 1] = float(p.y), points[3 * i + 2] = float(p.z);
     }
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        std::copy(mesh.triangles[i].begin(), mesh.triangles[i].end(), corners + 3 * i);
+    for (std::size_t i = 0; i < state_->shown.size(); ++i) {
+        const Triangle& triangle = mesh.triangles[state_->shown[i]];
+        std::copy(triangle.begin(), triangle.end(), corners + 3 * i);
+    }
     state_->scene = embree_scene(state_->device.get(), std::move(geometry));
 }
 
@@ -99,15 +109,19 @@ std::optional<RayScene::Hit> RayScene::look(Vec2 place) const {
     rtcIntersect1(state_->scene.get(), &context, &first);
     if (first.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
-    RTCRayHit again{};
-    again.ray = ray_at(place, first.ray.tfar + kTie);
-    again.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     LowestPart lowest;
-    rtcInitIntersectContext(&lowest);
-    lowest.filter = LowestPart::consider;
-    lowest.part_of = state_->part_of;
-    lowest.triangle = first.hit.primID, lowest.u = first.hit.u, lowest.v = first.hit.v;
-    rtcIntersect1(state_->scene.get(), &lowest, &again);
+    lowest.triangle = state_->shown[first.hit.primID];
+    lowest.u = first.hit.u, lowest.v = first.hit.v;
+    if (state_->flush[lowest.triangle]) {
+        RTCRayHit again{};
+        again.ray = ray_at(place, first.ray.tfar + kTie);
+        again.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        rtcInitIntersectContext(&lowest);
+        lowest.filter = LowestPart::consider;
+        lowest.part_of = state_->part_of;
+        lowest.shown = state_->shown;
+        rtcIntersect1(state_->scene.get(), &lowest, &again);
+    }
     return Hit{lowest.triangle,
                first.ray.tfar + kBeforeAll,
                {1 - lowest.u - lowest.v, lowest.u, lowest.v}};
@@ -118,6 +132,7 @@ bool RayScene::is_hidden(Vec2 place, double z, std::array<std::uint32_t, 2> own)
     Strangers strangers;
     rtcInitIntersectContext(&strangers);
     strangers.filter = Strangers::consider;
+    strangers.shown = state_->shown;
     strangers.own = own;
     rtcOccluded1(state_->scene.get(), &strangers, &ray);
     return ray.tfar < 0;

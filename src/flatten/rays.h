@@ -20,8 +20,9 @@ class RayScene {
         std::array<float, 3> weights;  // of the triangle's corners
     };
 
-    // Errors: std::bad_alloc.
-    RayScene(const View& view, const Mesh& mesh);
+    // Of the triangles that are shown. `flush` as intersect_shown() tells it. The mesh must outlive
+    // the scene. Errors: std::bad_alloc.
+    RayScene(const View& view, const Mesh& mesh, std::vector<std::uint8_t> flush);
     ~RayScene();
     RayScene(RayScene&&) noexcept;
 

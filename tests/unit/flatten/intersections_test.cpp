@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "flatten/intersections.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "base/keyed_random.h"
 #include "flatten/box_pairs.h"
 #include "meshes.h"
 
@@ -17,36 +19,47 @@ using namespace test;
 
 std::vector<ViewSegment> crossings(const Mesh& mesh, View view) {
     view.shown = find_shown(mesh, mesh_edges(mesh), view);
-    return intersect_shown(view, mesh);
+    return intersect_shown(view, mesh).segments;
+}
+
+bool overlap(const ViewBox& a, const ViewBox& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
+           a.min.z <= b.max.z && b.min.z <= a.max.z;
+}
+
+// Boxes of all sizes, many of them in one corner.
+std::vector<ViewBox> random_boxes(std::uint64_t seed, std::uint32_t count) {
+    const KeyedRandom random(0, seed, 1);
+    std::vector<ViewBox> boxes;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const auto number = [&](std::uint32_t purpose, double most) {
+            return static_cast<std::int32_t>(most * std::pow(random.uniform(i, purpose), 3));
+        };
+        const ViewPoint min{number(0, 1e6) - 500'000, number(1, 1e6), number(2, 1e6)};
+        const ViewPoint size{number(3, 3e4), number(4, 3e5), number(5, 3e5)};
+        boxes.push_back({min, {min.x + size.x, min.y + size.y, min.z + size.z}});
+    }
+    return boxes;
 }
 
 TEST(BoxPairs, AreThoseThatAllAgainstAllFinds) {
-    const Mesh mesh = random_prisms(1, 40);
-    std::vector<ViewBox> boxes;
-    for (const Triangle& t : mesh.triangles) {
-        ViewBox box{{1e9F, 1e9F, 1e9F}, {-1e9F, -1e9F, -1e9F}};
-        for (const std::uint32_t p : t) {
-            for (int k = 0; k < 3; ++k) {
-                const auto i = static_cast<std::size_t>(k);
-                box.min[i] = std::min(box.min[i], static_cast<float>(mesh.points[p][k]));
-                box.max[i] = std::max(box.max[i], static_cast<float>(mesh.points[p][k]));
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        const std::vector<ViewBox> boxes = random_boxes(seed, 1500);
+        std::vector<std::array<std::uint32_t, 2>> expected;
+        for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+            for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {
+                if (overlap(boxes[i], boxes[j])) expected.push_back({i, j});
             }
         }
-        boxes.push_back(box);
+        ASSERT_GT(expected.size(), 1000U);
+        auto pairs = overlapping_pairs(boxes);
+        std::sort(pairs.begin(), pairs.end());
+        EXPECT_EQ(pairs, expected);
     }
-    std::vector<std::array<std::uint32_t, 2>> expected;
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-        for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {
-            bool overlap = true;
-            for (std::size_t k = 0; k < 3; ++k)
-                overlap = overlap && boxes[i].min[k] <= boxes[j].max[k] &&
-                          boxes[j].min[k] <= boxes[i].max[k];
-            if (overlap) expected.push_back({i, j});
-        }
-    }
-    auto pairs = overlapping_pairs(boxes);
-    std::sort(pairs.begin(), pairs.end());
-    EXPECT_EQ(pairs, expected);
+}
+
+TEST(BoxPairs, OfNothingAreNone) {
+    EXPECT_TRUE(overlapping_pairs({}).empty());
 }
 
 // Spheres of radius 1 whose centres are 1 apart, side by side: a circle of radius sqrt(3)/2, seen
