@@ -17,6 +17,10 @@ constexpr double kBundle = 0.7;
 // thousands of cells each.
 constexpr double kCellPerLength = 1.0 / 32;
 
+std::size_t most_worth_dividing(std::size_t items) {
+    return static_cast<std::size_t>(kBundle * static_cast<double>(items));
+}
+
 std::vector<std::uint32_t> all(std::size_t count) {
     std::vector<std::uint32_t> indices(count);
     std::iota(indices.begin(), indices.end(), 0u);
@@ -25,47 +29,62 @@ std::vector<std::uint32_t> all(std::size_t count) {
 
 }  // namespace
 
-NeighbourGroups::NeighbourGroups(std::span<const GridSegment> segments,
-                                 std::span<const GridPoint> points)
-    : segments_(segments), points_(points) {
+NeighbourGroups::NeighbourGroups(std::span<const GridSegment> segments) : segments_(segments) {
     GridBox box;
     for (const GridSegment& s : segments)
         box.include(s.a), box.include(s.b);
-    for (const GridPoint& p : points)
-        box.include(p);
     if (segments.empty()) box = {{0, 0}, {0, 0}};
-    cells_ = divide(box, all(segments.size()), all(points.size()));
+    cells_ = divide(box, all(segments.size()), {});
 }
 
-// for_each(add) calls add(cell, index) for every entry; it is run twice.
-template <typename ForEach>
-NeighbourGroups::Lists NeighbourGroups::make_lists(std::size_t cells, ForEach&& for_each) {
+void NeighbourGroups::add_points(std::span<const GridPoint> points) {
+    points_ = points;
+    cells_.points = list_points(cells_.grid, all(points.size()));
+    cells_.most = most_worth_dividing(segments_.size() + points.size());
+}
+
+NeighbourGroups::Lists NeighbourGroups::make_lists(std::size_t cells,
+                                                   std::span<const Entry> entries) {
     Lists lists;
     lists.first.assign(cells + 2, 0);
-    for_each([&](std::size_t cell, std::uint32_t) { ++lists.first[cell + 2]; });
+    for (const Entry& entry : entries)
+        ++lists.first[entry.cell + 2];
     std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
-    lists.entries.resize(lists.first.back());
-    for_each([&](std::size_t cell, std::uint32_t index) {
-        lists.entries[lists.first[cell + 1]++] = index;
-    });
+    lists.entries.resize(entries.size());
+    for (const Entry& entry : entries)
+        lists.entries[lists.first[entry.cell + 1]++] = entry.index;
     return lists;
+}
+
+NeighbourGroups::Lists NeighbourGroups::list_segments(
+    const CellGrid& grid, std::span<const std::uint32_t> segments) const {
+    const auto entries =
+        edaha::gather<Entry>(segments.size(), [&](std::size_t i, std::vector<Entry>& found) {
+            grid.visit_cells(segments_[segments[i]], [&](std::size_t cell) {
+                found.push_back({static_cast<std::uint32_t>(cell), segments[i]});
+            });
+        });
+    return make_lists(grid.cells(), entries);
+}
+
+NeighbourGroups::Lists NeighbourGroups::list_points(const CellGrid& grid,
+                                                    std::span<const std::uint32_t> points) const {
+    std::vector<Entry> entries;
+    entries.reserve(points.size());
+    for (const std::uint32_t i : points)
+        entries.push_back({static_cast<std::uint32_t>(grid.cell_of(points_[i])), i});
+    return make_lists(grid.cells(), entries);
 }
 
 NeighbourGroups::Cells NeighbourGroups::divide(const GridBox& box,
                                                std::span<const std::uint32_t> segments,
                                                std::span<const std::uint32_t> points) const {
+    const std::size_t items = std::max(segments.size(), points.size());
     Cells cells;
-    cells.most = static_cast<std::size_t>(kBundle * double(segments.size() + points.size()));
-    cells.grid = make_cell_grid(box, std::max(segments.size(), points.size()),
-                                kCellPerLength * mean_length(segments));
-    cells.segments = make_lists(cells.grid.cells(), [&](auto&& add) {
-        for (const std::uint32_t i : segments)
-            cells.grid.visit_cells(segments_[i], [&](std::size_t cell) { add(cell, i); });
-    });
-    cells.points = make_lists(cells.grid.cells(), [&](auto&& add) {
-        for (const std::uint32_t i : points)
-            add(cells.grid.cell_of(points_[i]), i);
-    });
+    cells.most = most_worth_dividing(segments.size() + points.size());
+    cells.grid = make_cell_grid(box, items, kCellPerLength * mean_length(segments));
+    cells.segments = list_segments(cells.grid, segments);
+    cells.points = list_points(cells.grid, points);
     return cells;
 }
 

@@ -20,7 +20,11 @@ class NeighbourGroups {
     using Visit = std::function<void(std::span<const std::uint32_t> segments,
                                      std::span<const std::uint32_t> points)>;
 
-    NeighbourGroups(std::span<const GridSegment> segments, std::span<const GridPoint> points);
+    // Of segments alone.
+    explicit NeighbourGroups(std::span<const GridSegment> segments);
+
+    // Puts the points in too, which lie within the segments' box.
+    void add_points(std::span<const GridPoint> points);
 
     // What visit(segments, points, found) appends to `found` for all groups in their order; by
     // several threads if there are many segments.
@@ -41,8 +45,12 @@ class NeighbourGroups {
         std::size_t most = 0;  // items of a cell that is worth dividing
     };
 
-    template <typename ForEach>
-    static Lists make_lists(std::size_t cells, ForEach&& for_each);
+    struct Entry {
+        std::uint32_t cell = 0, index = 0;
+    };
+    static Lists make_lists(std::size_t cells, std::span<const Entry> entries);
+    Lists list_segments(const CellGrid& grid, std::span<const std::uint32_t> segments) const;
+    Lists list_points(const CellGrid& grid, std::span<const std::uint32_t> points) const;
     Cells divide(const GridBox& box, std::span<const std::uint32_t> segments,
                  std::span<const std::uint32_t> points) const;
     void visit_column(const Cells& cells, std::int64_t column, const Visit& visit) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/parallel.h"
 #include "geometry/nest_loops.h"
 
 namespace edaha {
@@ -27,7 +28,15 @@ Spoke spoke_of(const PlanarMap& map, std::uint32_t half_edge) {
     return {d, half_edge, d.y < 0 || (d.y == 0 && d.x < 0)};
 }
 
-// Round each node: whoever arrives by the twin of a spoke goes on by the spoke before it.
+// Whoever arrives by the twin of a spoke goes on by the spoke before it.
+void link_spokes(PlanarMap& map, std::vector<Spoke>& spokes) {
+    std::sort(spokes.begin(), spokes.end(), before);
+    for (std::size_t i = 0; i < spokes.size(); ++i) {
+        const std::size_t previous = i == 0 ? spokes.size() - 1 : i - 1;
+        map.next[twin(spokes[i].half_edge)] = spokes[previous].half_edge;
+    }
+}
+
 void link_half_edges(PlanarMap& map) {
     const auto count = static_cast<std::uint32_t>(map.edges.size() * 2);
     std::vector<std::uint32_t> first(map.nodes.size() + 2, 0);
@@ -39,18 +48,17 @@ void link_half_edges(PlanarMap& map) {
     for (std::uint32_t h = 0; h < count; ++h)
         leaving[first[map.origin(h) + 1]++] = h;
     map.next.resize(count);
-    std::vector<Spoke> spokes;
-    for (std::size_t node = 0; node < map.nodes.size(); ++node) {
-        spokes.clear();
-        for (std::uint32_t i = first[node]; i < first[node + 1]; ++i) {
-            spokes.push_back(spoke_of(map, leaving[i]));
+    constexpr std::size_t kChunk = 4096;
+    for_each_index((map.nodes.size() + kChunk - 1) / kChunk, 4, [&](std::size_t chunk) {
+        std::vector<Spoke> spokes;
+        const std::size_t end = std::min(map.nodes.size(), (chunk + 1) * kChunk);
+        for (std::size_t node = chunk * kChunk; node < end; ++node) {
+            spokes.clear();
+            for (std::uint32_t i = first[node]; i < first[node + 1]; ++i)
+                spokes.push_back(spoke_of(map, leaving[i]));
+            link_spokes(map, spokes);
         }
-        std::sort(spokes.begin(), spokes.end(), before);
-        for (std::size_t i = 0; i < spokes.size(); ++i) {
-            const std::size_t previous = i == 0 ? spokes.size() - 1 : i - 1;
-            map.next[twin(spokes[i].half_edge)] = spokes[previous].half_edge;
-        }
-    }
+    });
 }
 
 PlanarMap::Loop trace_loop(PlanarMap& map, std::uint32_t start) {

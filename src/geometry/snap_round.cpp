@@ -75,8 +75,8 @@ GridPoint unpacked(std::uint64_t key) {
             static_cast<std::int32_t>(key & 0xffffffffu) - kGridLimit};
 }
 
-std::vector<GridPoint> find_nodes(std::span<const GridSegment> segments) {
-    const NeighbourGroups groups(segments, {});
+std::vector<GridPoint> find_nodes(std::span<const GridSegment> segments,
+                                  const NeighbourGroups& groups) {
     auto keys = groups.gather<std::uint64_t>(
         [&](std::span<const std::uint32_t> near, auto, std::vector<std::uint64_t>& found) {
             for (std::size_t i = 0; i < near.size(); ++i) {
@@ -105,8 +105,7 @@ struct Stop {
 // All stops, by segment and along it. Along a segment pixels follow each other in x and in y, so
 // their centres are in order along its direction, without ties.
 std::vector<Stop> find_stops(std::span<const GridSegment> segments,
-                             std::span<const GridPoint> nodes) {
-    const NeighbourGroups groups(segments, nodes);
+                             std::span<const GridPoint> nodes, const NeighbourGroups& groups) {
     const auto found =
         groups.gather<Stop>([&](std::span<const std::uint32_t> near,
                                 std::span<const std::uint32_t> points, std::vector<Stop>& stops) {
@@ -157,8 +156,10 @@ std::vector<Passage> find_passages(std::span<const Stop> stops) {
 
 Arrangement snap_round(std::span<const GridSegment> segments) {
     Arrangement result;
-    result.nodes = find_nodes(segments);
-    const std::vector<Passage> passages = find_passages(find_stops(segments, result.nodes));
+    NeighbourGroups groups(segments);
+    result.nodes = find_nodes(segments, groups);
+    groups.add_points(result.nodes);
+    const std::vector<Passage> passages = find_passages(find_stops(segments, result.nodes, groups));
     result.uses.reserve(passages.size());
     for (std::size_t i = 0; i < passages.size(); ++i) {
         if (i == 0 || passages[i].edge != passages[i - 1].edge) {
