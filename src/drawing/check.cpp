@@ -289,6 +289,7 @@ void Checker::check_used_shape(const CheckedShape& checked, const Use& use,
                                const InheritedPaint& parent) {
     const InheritedPaint paint = inherit(parent, checked.shape->paint);
     check_drawn_paint(paint);
+    if (paint.stroke && paint.dash_mm != 0) add("its stroke has dashes");
     CheckedSymbol& symbol = symbols_[use.symbol];
     if (paint.fill && checked.open_subpath != 0 && !symbol.open_fill_named) {
         symbol.open_fill_named = true;
@@ -316,6 +317,8 @@ void Checker::check_paint(const Paint& own) {
     if (!(own.stroke_width_mm >= 0) || !std::isfinite(own.stroke_width_mm)) {
         add(fmt::format("its stroke's width is {}", own.stroke_width_mm));
     }
+    if (!(own.dash_mm >= 0) || !std::isfinite(own.dash_mm))
+        add(fmt::format("its dashes are {} mm long", own.dash_mm));
     for (const float opacity : {own.fill_opacity, own.stroke_opacity}) {
         if (!(opacity >= 0 && opacity <= 1)) add(fmt::format("its opacity is {}", opacity));
     }

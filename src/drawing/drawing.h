@@ -21,7 +21,7 @@ namespace edaha {
 //     hole, negative, lies within the box of the outlines before it. One subpath may run either
 //     way;
 //   - paint order is list order; paint that a node leaves unset is its parent's; a stroke that is
-//     drawn has a width above 0;
+//     drawn has a width above 0, and one of an instance no dashes;
 //   - instances name a symbol that exists, and their maps are finite and invertible;
 //   - ids are unique, non-empty for layers and symbols, and XML names: [A-Za-z][A-Za-z0-9._-]*.
 struct Shape {

@@ -13,6 +13,7 @@ struct InheritedPaint {
     std::optional<Colour> fill;
     std::optional<Colour> stroke;
     double stroke_width_mm = 0;
+    double dash_mm = 0;
     float fill_opacity = 1;
     float stroke_opacity = 1;
     bool operator==(const InheritedPaint&) const = default;

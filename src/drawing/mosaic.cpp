@@ -169,7 +169,7 @@ Use Mosaic::mapped(const Use& use, const InheritedPaint& parent) const {
 }
 
 Paint Mosaic::mapped(Paint paint) const {
-    paint.stroke_width_mm *= scale_;
+    scale_pen(paint, scale_);
     return paint;
 }
 

@@ -14,13 +14,13 @@ void move(std::vector<Element>& elements, const Affine& map, double scale);
 
 void move(Element& element, const Affine& map, double scale) {
     if (auto* group = std::get_if<Group>(&element)) {
-        group->paint.stroke_width_mm *= scale;
+        scale_pen(group->paint, scale);
         move(group->children, map, scale);
     } else if (auto* use = std::get_if<Use>(&element)) {
         use->page_from_symbol = compose(map, use->page_from_symbol);
     } else {
         auto& shape = std::get<Shape>(element);
-        shape.paint.stroke_width_mm *= scale;
+        scale_pen(shape.paint, scale);
         for (Vec2& point : shape.path.points)
             point = transform(map, point);
     }
@@ -58,7 +58,7 @@ Drawing on_page(Drawing drawing, const PageParams& page, const Palette& palette)
     const Vec2 offset = Vec2(margin, margin) - (box.empty() ? Vec2(0, 0) : box.min) * scale;
     const Affine map(Vec2(scale, 0), Vec2(0, scale), offset);
     for (Layer& layer : drawing.layers) {
-        layer.paint.stroke_width_mm *= scale;
+        scale_pen(layer.paint, scale);
         move(layer.children, map, scale);
     }
     // Hundredths of a millimetre, so that sizes read well and are exact as text.

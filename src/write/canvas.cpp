@@ -65,6 +65,7 @@ void Brush::draw(const Shape& shape, const InheritedPaint& paint) {
     if (stroked) {
         set_ink(*paint.stroke, paint.stroke_opacity);
         cairo_set_line_width(context_, paint.stroke_width_mm);
+        cairo_set_dash(context_, &paint.dash_mm, paint.dash_mm > 0 ? 1 : 0, 0);
         cairo_stroke_preserve(context_);
     }
     cairo_new_path(context_);

@@ -66,6 +66,7 @@ constexpr std::string_view kProlog = R"(%%BeginProlog
 /S{stroke}bind def
 /k{setrgbcolor}bind def
 /w{setlinewidth}bind def
+/d{setdash}bind def
 %%EndProlog
 %%Page: 1 1
 1 setlinecap
@@ -90,11 +91,6 @@ struct Marks {
             text += ' ';
         }
         text += "k\n";
-    }
-
-    void width(double mm, int decimals) {
-        append_number(text, mm, std::min(decimals + 1, kMostDecimals));
-        text += " w\n";
     }
 
     // There is one ink for both: the stroke's comes last.
@@ -145,11 +141,13 @@ class EpsWriter {
         std::string path;
         if (!append_path_operators(path, shape.path, decimals_)) return;
         if (paint.stroke) set_width(paint.stroke_width_mm);
+        if (paint.stroke) set_dash(paint.dash_mm);
         marks_.paint(path, fill_of(paint, paper_), stroke_of(paint, paper_));
     }
 
     void add(const Use& use, const InheritedPaint& paint) {
         if (paint.stroke_width_mm > 0) set_width(paint.stroke_width_mm);
+        set_dash(0);
         const std::string& name = stamp(use.symbol, paint);
         marks_.text += "q\n";
         append_map_operator(marks_.text, use.page_from_symbol, precision_[use.symbol].matrices,
@@ -159,7 +157,7 @@ class EpsWriter {
 
     // The procedure that draws a symbol in an instance's inks.
     const std::string& stamp(std::uint32_t symbol, InheritedPaint paint) {
-        paint.stroke_width_mm = 0;
+        paint.stroke_width_mm = paint.dash_mm = 0;
         const auto known = std::find_if(stamps_.begin(), stamps_.end(), [&](const Stamp& one) {
             return one.symbol == symbol && one.paint == paint;
         });
@@ -183,7 +181,7 @@ class EpsWriter {
             const bool own_width = stroke && shape.paint.stroke_width_mm > 0;
             if (own_width) {
                 marks.text += "currentlinewidth\n";
-                marks.width(shape.paint.stroke_width_mm, decimals);
+                append_width_operator(marks.text, shape.paint.stroke_width_mm, decimals);
             }
             marks.paint(path, fill, stroke);
             if (own_width) marks.text += "w\n";
@@ -205,8 +203,13 @@ class EpsWriter {
     }
 
     void set_width(double mm) {
-        if (width_mm_ != mm) marks_.width(mm, decimals_);
+        if (width_mm_ != mm) append_width_operator(marks_.text, mm, decimals_);
         width_mm_ = mm;
+    }
+
+    void set_dash(double mm) {
+        if (dash_mm_ != mm) append_dash_operator(marks_.text, mm, decimals_);
+        dash_mm_ = mm;
     }
 
     const Drawing& drawing_;
@@ -216,7 +219,7 @@ class EpsWriter {
     std::deque<Stamp> stamps_;
     std::string procedures_;
     Marks marks_;
-    double width_mm_ = 0;  // as set so far
+    double width_mm_ = 0, dash_mm_ = 0;  // as set so far
 };
 
 }  // namespace

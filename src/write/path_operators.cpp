@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "write/path_operators.h"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "base/number_text.h"
@@ -97,6 +98,18 @@ void append_map_operator(std::string& text, const Affine& map, int fine, int coa
         text += ' ';
     }
     text += "cm\n";
+}
+
+void append_width_operator(std::string& text, double mm, int decimals) {
+    append_number(text, mm, std::min(decimals + 1, kMostDecimals));
+    text += " w\n";
+}
+
+void append_dash_operator(std::string& text, double mm, int decimals) {
+    const int finer = std::min(decimals + 1, kMostDecimals);
+    text += '[';
+    if (to_units(mm, finer) > 0) append_number(text, mm, finer);
+    text += "] 0 d\n";
 }
 
 }  // namespace edaha

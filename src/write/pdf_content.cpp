@@ -33,11 +33,6 @@ struct Stream : PdfOperators {
         states.insert(state);
         text += '/' + state + " gs\n";
     }
-
-    void width(double mm, int decimals) {
-        append_number(text, mm, std::min(decimals + 1, kMostDecimals));
-        text += " w\n";
-    }
 };
 
 // A symbol's shapes, for instances that do, or don't, fill and stroke what is left to them. They
@@ -77,7 +72,8 @@ class StampWriter {
         }
         if (strokes) {
             set(paint.stroke, paint.stroke_opacity, "RG\n", 's');
-            if (paint.stroke_width_mm != 0) stream_.width(paint.stroke_width_mm, decimals_);
+            if (paint.stroke_width_mm != 0)
+                append_width_operator(stream_.text, paint.stroke_width_mm, decimals_);
             stream_.text += path + "S\n";
         }
         if (apart) stream_.text += "Q\n";
@@ -159,6 +155,7 @@ class ContentWriter {
         if (paint.stroke) {
             set_stroke(*paint.stroke, paint.stroke_opacity);
             set_width(paint.stroke_width_mm);
+            set_dash(paint.dash_mm);
         }
         page_.text += path_;
         if (!paint.fill) {
@@ -178,6 +175,7 @@ class ContentWriter {
         if (filled) set_fill(*paint.fill, paint.fill_opacity);
         if (stroked) set_stroke(*paint.stroke, paint.stroke_opacity);
         if (needs.pen && paint.stroke_width_mm > 0) set_width(paint.stroke_width_mm);
+        set_dash(0);
         page_.text += "q\n";
         append_map_operator(page_.text, use.page_from_symbol, precision_[use.symbol].matrices,
                             decimals_);
@@ -217,8 +215,13 @@ class ContentWriter {
     }
 
     void set_width(double mm) {
-        if (now_.stroke_width_mm != mm) page_.width(mm, decimals_);
+        if (now_.stroke_width_mm != mm) append_width_operator(page_.text, mm, decimals_);
         now_.stroke_width_mm = mm;
+    }
+
+    void set_dash(double mm) {
+        if (now_.dash_mm != mm) append_dash_operator(page_.text, mm, decimals_);
+        now_.dash_mm = mm;
     }
 
     const Drawing& drawing_;

@@ -265,6 +265,11 @@ void SvgWriter::add_paint(pugi::xml_node node, const InheritedPaint& own,
         const int finer = std::min(decimals_ + 1, kMostDecimals);
         set(node, "stroke-width", number_text(own.stroke_width_mm, finer));
     }
+    if (own.dash_mm != inherited.dash_mm) {
+        const int finer = std::min(decimals_ + 1, kMostDecimals);
+        const bool solid = to_units(own.dash_mm, finer) == 0;
+        set(node, "stroke-dasharray", solid ? "none" : number_text(own.dash_mm, finer));
+    }
 }
 
 void SvgWriter::add_layer(const Layer& layer) {

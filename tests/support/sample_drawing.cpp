@@ -112,6 +112,12 @@ Layer wood_layer() {
     Paint pen = stroked(kBarkLight, 0.8, 0.8f);
     pen.fill = Ink::none();
     group.children.push_back(Shape{"", twig, pen});
+    Path rope;
+    rope.move_to({6, 70}), rope.cubic_to({20, 84}, {34, 84}, {50, 66});
+    Paint dashed = stroked(kBark, 0.6);
+    dashed.fill = Ink::none();
+    dashed.dash_mm = 2;
+    group.children.push_back(Shape{"rope", rope, dashed});
     layer.children.push_back(std::move(group));
     return layer;
 }

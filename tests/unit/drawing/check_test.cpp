@@ -174,6 +174,19 @@ TEST(Check, PaintIsInRange) {
     EXPECT_EQ(check(drawing), Lines{"layer 'Wood', shape 'a': its opacity is 1.5"});
 }
 
+TEST(Check, DashesAreLengthsAndForShapesOnly) {
+    Drawing drawing = one_shape(square(1, 1, 5));
+    shape_of(drawing).paint.dash_mm = -1;
+    EXPECT_EQ(check(drawing), Lines{"layer 'Wood', shape 'a': its dashes are -1 mm long"});
+    Drawing sample = test::sample_drawing();
+    Paint& paint = sample.layers[2].paint;
+    paint.stroke = Colour{};
+    paint.stroke_width_mm = paint.dash_mm = 0.1;
+    EXPECT_NE(check(sample), Lines{});
+    paint.dash_mm = 0;
+    EXPECT_EQ(check(sample), Lines{});
+}
+
 TEST(Check, InstancesFillOnlyClosedShapes) {
     Drawing drawing = one_shape(square(0, 0, 100));
     drawing.symbols[0].shapes[0].path.verbs.pop_back();

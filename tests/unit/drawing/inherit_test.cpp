@@ -42,5 +42,18 @@ TEST(Inherit, AnOpacityBelongsToItsInk) {
     EXPECT_EQ(inherit(parent, painted(Ink(), 0.25f)).fill_opacity, 0.25f);  // not 0.125
 }
 
+TEST(Inherit, DashesBelongToTheirInk) {
+    Paint pen;
+    pen.stroke = kRed;
+    pen.dash_mm = 2;
+    const InheritedPaint parent = inherit({}, pen);
+    EXPECT_EQ(inherit(parent, {}).dash_mm, 2);
+    Paint solid, finer;
+    solid.stroke = kBlue;
+    finer.dash_mm = 1;
+    EXPECT_EQ(inherit(parent, solid).dash_mm, 0);
+    EXPECT_EQ(inherit(parent, finer).dash_mm, 1);
+}
+
 }  // namespace
 }  // namespace edaha

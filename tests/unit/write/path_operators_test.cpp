@@ -51,5 +51,12 @@ TEST(PathOperators, MapsHaveTheirDecimals) {
     EXPECT_EQ(text, ".123 0 -.5 1 3.1 -2 cm\n");
 }
 
+TEST(PathOperators, DashesThatRoundToNothingAreNone) {
+    std::string text;
+    for (const double mm : {1.25, 0.0, 0.004})
+        append_dash_operator(text, mm, 1);
+    EXPECT_EQ(text, "[1.25] 0 d\n[] 0 d\n[] 0 d\n");
+}
+
 }  // namespace
 }  // namespace edaha

@@ -121,6 +121,18 @@ TEST(Svg, ALayerWithoutFillSaysSo) {
         << text;
 }
 
+TEST(Svg, DashesAreSaidWhereTheyBeginAndEnd) {
+    Paint pen, solid;
+    pen.stroke = solid.stroke = Colour{1, 2, 3};
+    pen.stroke_width_mm = 0.25;
+    pen.dash_mm = 1.5;
+    Group group{"", pen, {Shape{"", square({1, 1}, 2), {}}, Shape{"", square({4, 1}, 2), solid}}};
+    const Parsed parsed(svg(page_with({group}, {})));
+    EXPECT_EQ(parsed.one("//g/g/@stroke-dasharray"), "1.5");
+    EXPECT_EQ(parsed.one("//g/g/path[2]/@stroke-dasharray"), "none");
+    EXPECT_EQ(parsed.all("//path[1]/@stroke-dasharray").size(), 0U);
+}
+
 TEST(Svg, TransformsAreAsShortAsTheyCanBe) {
     const auto transform = [](const Affine& map) {
         return Parsed(svg(page_with({Use{0, map, {}}}))).one("//use/@transform");
