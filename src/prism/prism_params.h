@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <numbers>
 
 #include "base/range.h"
 
@@ -18,7 +19,7 @@ struct FoliageParams {
     FoliageShape shape = FoliageShape::none;
     double size_mm = 20;       // radius; sprays: half the width where they are widest
     double size_spread = 0.2;  // varies by up to this part of it
-    double stretch = 1;        // length of a ball or tier in widths; sprays: in lengths of branches
+    double stretch = 1;        // height of balls in widths; others: in lengths of their bearers
     double flatness = 0.5;     // sprays: height in widths
     double upright = 0.5;      // balls: 0: the axis goes on as the branch, 1: straight up
     double roughness = 0.15;   // corners lie off by up to this part of the radius
@@ -61,7 +62,7 @@ struct PrismParams {
     PrismJoint joint = PrismJoint::open;
     bool interference = false;  // no prism passes through one that stands (8)
     std::int64_t tries = 4;     // so many other directions are tried before it is dropped [E]
-    double turn_rad = 0.6;      // off the first by up to this [E]
+    double turn_rad = std::numbers::pi / 6;  // off the first by up to this [E]
     double ground_mm = 0;       // with interference: nothing ends lower; 0: even below ground [E]
     double site_mm = 4;         // size of the places for twigs [E]
     double along_mm = 0;        // their spacing along thin prisms; 0: at ends only [E]

@@ -66,6 +66,7 @@ struct ParameterGroup {
     std::string name;
     std::string help;
     std::span<const Parameter> parameters;
+    bool of_model = false;  // one of the 3D models': most styles have nothing to say there
 };
 
 // The table, in the order in which styles are written. Groups follow each other whole.

@@ -90,6 +90,8 @@ std::vector<Parameter> growth_rows();
 std::vector<Parameter> branch_rows();
 std::vector<Parameter> space_rows();
 std::vector<Parameter> variant_rows();
+std::vector<Parameter> prism_rows();
+std::vector<Parameter> foliage_rows();
 std::vector<Parameter> look_rows();
 std::vector<Parameter> leaf_rows();
 std::vector<Parameter> blossom_rows();

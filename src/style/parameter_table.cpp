@@ -18,12 +18,15 @@ Table make_table() {
         const char* name;
         const char* help;
         std::vector<Parameter> (*rows)();
+        bool of_model = false;
     };
     const Source sources[] = {
         {"growth", "how the energy is spent", growth_rows},
         {"branch", "how far branches turn at a fork", branch_rows},
         {"space", "how branches compete for space", space_rows},
         {"variant", "which tree of its kind", variant_rows},
+        {"prism", "trees of prisms", prism_rows, true},
+        {"foliage", "masses of leaves on prisms", foliage_rows, true},
         {"look", "how the wood is drawn", look_rows},
         {"leaf", "leaves", leaf_rows},
         {"blossom", "blossom", blossom_rows},
@@ -40,8 +43,8 @@ Table make_table() {
     begins.push_back(table.rows.size());
     for (std::size_t i = 0; i + 1 < begins.size(); ++i) {
         const std::span<const Parameter> rows(table.rows);
-        table.groups.push_back(
-            {sources[i].name, sources[i].help, rows.subspan(begins[i], begins[i + 1] - begins[i])});
+        const auto own = rows.subspan(begins[i], begins[i + 1] - begins[i]);
+        table.groups.push_back({sources[i].name, sources[i].help, own, sources[i].of_model});
     }
     return table;
 }

@@ -8,6 +8,7 @@
 #include "energy/growth_params.h"
 #include "energy/look_params.h"
 #include "ornament/ornament_params.h"
+#include "prism/prism_params.h"
 
 namespace edaha {
 
@@ -24,6 +25,7 @@ struct Style {
     std::string title;        // as on a page: "Cherry"
     std::string description;  // a sentence
     EnergyParams energy;
+    PrismParams prism;
     LookParams look;
     OrnamentParams leaf;
     OrnamentParams blossom;

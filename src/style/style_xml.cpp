@@ -90,6 +90,13 @@ void make_canonical(Style& style) {
         assign(style, parameter, value_text(style, parameter));
 }
 
+bool is_default(const Style& style, const ParameterGroup& group) {
+    static const Style plain;
+    return std::ranges::all_of(group.parameters, [&](const Parameter& parameter) {
+        return value_text(style, parameter) == value_text(plain, parameter);
+    });
+}
+
 void write_palette(pugi::xml_node tree, const Style& style, const NamedPalette& named) {
     pugi::xml_node node = tree.append_child("palette");
     node.append_attribute("name") = named.name.c_str();
@@ -140,6 +147,7 @@ std::string to_xml(const Style& style) {
     tree.append_attribute("title") = style.title.c_str();
     tree.append_attribute("description") = style.description.c_str();
     for (const ParameterGroup& group : parameter_groups()) {
+        if (group.of_model && is_default(style, group)) continue;
         pugi::xml_node node = tree.append_child(group.name.c_str());
         for (const Parameter& parameter : group.parameters) {
             node.append_attribute(parameter.name.c_str()) = value_text(style, parameter).c_str();

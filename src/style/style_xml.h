@@ -18,8 +18,8 @@ namespace edaha {
 Style read_style(const SourceText& source, const Catalogue& catalogue);
 
 // The complete style, defaults too (they may change in a later version), in the table's order; it
-// extends nothing. read_style(to_xml(s)) is s, but for angles that no decimal number of degrees
-// gives exactly: those move by an ulp, once.
+// extends nothing. Groups of 3D models are left out where all is default. read_style(to_xml(s)) is
+// s, but for angles that no decimal number of degrees gives exactly: those move by an ulp, once.
 std::string to_xml(const Style& style);
 
 // "growth.energy=800", as on the command line. Errors: InputError with every problem, its place

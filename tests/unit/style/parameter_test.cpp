@@ -110,6 +110,8 @@ TEST(Parameter, EveryMemberOfAStagesParamsHasItsRow) {
     EXPECT_EQ(rows("branch"), kMembers<BranchParams>);
     EXPECT_EQ(rows("space"), kMembers<SpaceParams>);
     EXPECT_EQ(rows("variant"), kMembers<VariantParams>);
+    EXPECT_EQ(rows("prism") + 1, kMembers<PrismParams>);  // its foliage is a group of its own
+    EXPECT_EQ(rows("foliage"), kMembers<FoliageParams>);
     EXPECT_EQ(rows("look"), kMembers<LookParams>);
     EXPECT_EQ(rows("leaf"), kMembers<OrnamentParams>);
     EXPECT_EQ(rows("blossom"), kMembers<OrnamentParams>);

@@ -54,6 +54,17 @@ TEST(StyleXml, ValuesReachTheStages) {
     EXPECT_TRUE(style.page.background);
 }
 
+TEST(StyleXml, GroupsOf3DModelsAreWrittenWholeOrNotAtAll) {
+    Style style = read("<tree name='x'/>");
+    EXPECT_EQ(to_xml(style).find("<prism"), std::string::npos);
+    EXPECT_NE(to_xml(style).find("<look wood="), std::string::npos);
+    style.prism.depth = 9;
+    EXPECT_NE(to_xml(style).find("<prism length=\"60\" depth=\"9\" length-power=\"1\""),
+              std::string::npos);
+    EXPECT_EQ(to_xml(style).find("<foliage"), std::string::npos);
+    EXPECT_EQ(read(to_xml(style)).prism.depth, 9);
+}
+
 TEST(StyleXml, WhatIsNotSaidIsAsInTheBase) {
     const Style style = read_file_style("weeping.xml");
     EXPECT_EQ(style.name, "weeping");
