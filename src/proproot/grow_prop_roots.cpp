@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+#include <string>
 #include <utility>
 
+#include "base/error.h"
 #include "proproot/level_direction.h"
 #include "proproot/prop_roots.h"
 #include "proproot/root_line.h"
@@ -20,6 +23,9 @@ constexpr double kPi = std::numbers::pi;
 // roots are no primaries, so it is less than 1; this brings plants of 49 primaries to the 389 roots
 // that the thesis counted on one (1: 245, 0.4: 550).
 constexpr double kTypicalRoot = 0.58;
+
+// A plant of more is refused: ten times the richest by the tables.
+constexpr std::size_t kMostRoots = 20000;
 
 // A root that is to grow, once its order's turn comes.
 struct Bud {
@@ -63,6 +69,10 @@ class RootGrowth {
         std::vector<Bud> buds = primaries();
         for (int order = 1; order <= orders && !buds.empty(); ++order) {
             const std::size_t first = out_.roots.size();
+            if (first + buds.size() > kMostRoots)
+                throw IoError("proproot.branchings: the plant has more than " +
+                              std::to_string(kMostRoots) +
+                              " roots; lower it or proproot.max_order");
             for (const Bud& bud : buds)
                 grow(bud);
             out_.by_order.push_back(out_.roots.size() - first);
@@ -123,7 +133,7 @@ class RootGrowth {
         // Evenly round the trunk, each off by up to (60 / x) degrees.
         const double off = 2 * uniform(bud, kAzimuth, attempt) - 1;
         root.azimuth_rad = (2 * kPi * (bud.number - 1) + kPi / 3 * off) / x_;
-        const double highest = std::max(highest_primary(params_, x_), kLowestBranching);
+        const double highest = highest_primary(params_, x_);
         const double u = uniform(bud, kHeight, attempt);
         // By the ladder H S^i of Yoshikai et al. (2021), or anywhere (3.3.2).
         const double b = params_.heights == RootHeights::geometric

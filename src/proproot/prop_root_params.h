@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <numbers>
 #include <vector>
 
 namespace edaha {

@@ -49,7 +49,7 @@ struct PropRoots {
 // places of their parents while the height allows, directions and slopes by its tables. Order by
 // order, and within an order in turn: a root that would pass through what stands is drawn anew, up
 // to `tries` times, then left out with all that it would have borne (root_space.h) [E].
-// The same params and numbers give the same bits. O(tries) a root.
+// The same params and numbers give the same bits. O(tries) a root. IoError for more than 20,000.
 PropRoots grow_prop_roots(const PropRootParams& params, const KeyedRandom& random);
 
 // What x becomes for the seedling's length and depth: 1-100.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace edaha {
 
@@ -21,7 +22,8 @@ const RootAge& root_age(int primaries) {
 }
 
 double highest_primary(const PropRootParams& params, int primaries) {
-    return params.highest > 0 ? params.highest : root_age(primaries).highest;
+    if (!(params.highest > 0)) return root_age(primaries).highest;
+    return std::max(params.highest, kLowestBranching);
 }
 
 Range sag(RootType type) {

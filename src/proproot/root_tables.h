@@ -24,7 +24,7 @@ inline constexpr Range kForkHeights{0.15, 0.80};
 inline constexpr double kMostBulge = 0.20;
 inline constexpr int kTurnBins = 9;
 
-// What the params say, or the table.
+// What the params say, but not below the lowest branching, or the table.
 double highest_primary(const PropRootParams& params, int primaries);
 
 Range sag(RootType type);                           // of the catenary's -a (3.3.2)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "proproot/trunk.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -33,7 +35,7 @@ Vec3 Trunk::direction(double y) const {
 }
 
 double Trunk::radius(double y) const {
-    return foot_radius * (1 - taper * y / span);
+    return foot_radius * (1 - taper * std::min(y / span, 1.0));
 }
 
 Trunk make_trunk(const PropRootParams& params, int primaries, const KeyedRandom& random) {

@@ -9,6 +9,7 @@
 #include "energy/look_params.h"
 #include "ornament/ornament_params.h"
 #include "prism/prism_params.h"
+#include "proproot/prop_root_params.h"
 
 namespace edaha {
 
@@ -26,6 +27,7 @@ struct Style {
     std::string description;  // a sentence
     EnergyParams energy;
     PrismParams prism;
+    PropRootParams prop_root;
     LookParams look;
     OrnamentParams leaf;
     OrnamentParams blossom;

@@ -3,11 +3,13 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "proproot/prop_roots.h"
 #include "proproot/root_tables.h"
 
@@ -306,6 +308,22 @@ TEST(GrowPropRoots, MembersOfAFamilyAreAsLikeAsIsAsked) {
     EXPECT_FALSE(same(grown(params, 1), grown(params, 2)));
     EXPECT_TRUE(same(grown(params, 1, 0), grown(params, 2, 0)));
     EXPECT_FALSE(same(grown(params, 1, 0.2), grown(params, 2, 0.2)));
+}
+
+TEST(GrowPropRoots, TooManyAreRefused) {
+    PropRootParams params = with_primaries(100);
+    params.highest = 1000;
+    params.branchings = 20;
+    params.max_branchings = 20;
+    params.apart = false;
+    try {
+        grown(params, 1);
+        FAIL();
+    } catch (const IoError& error) {
+        EXPECT_STREQ(error.what(),
+                     "proproot.branchings: the plant has more than 20000 roots; lower it or "
+                     "proproot.max_order");
+    }
 }
 
 TEST(GrowPropRoots, OddWeightsDoNoHarm) {

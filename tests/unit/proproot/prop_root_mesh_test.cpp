@@ -182,6 +182,38 @@ TEST(PropRootMesh, TheCrownGoesOnWhereTheTrunkEnds) {
     EXPECT_GT(rim, 0U);
 }
 
+// The ends of what style files may ask for.
+TEST(PropRootMesh, IsSoundForExtremeParameters) {
+    std::vector<PropRootParams> all(12);
+    all[0].primaries = 1;
+    all[1].primaries = 100;
+    all[2].highest = 1;
+    all[3].highest = 1000;
+    all[3].type = RootType::gentle;
+    all[4].bulges = 1;
+    all[4].type = RootType::steep;
+    all[5].young = 1;
+    all[6].knob = 3;
+    all[7].trunk_bend = 3;
+    all[7].trunk_taper = 0.9;
+    all[7].primaries = 100;
+    all[8].circle_points = 3;
+    all[8].curve_points = 1;
+    all[9].curve_points = 256;
+    all[10].max_order = 5;
+    all[10].branchings = 0;
+    all[11].tries = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const PropRoots plant = grown(all[i]);
+        const Mesh mesh = mesh_of(plant, all[i]);
+        EXPECT_TRUE(parts_are_closed(mesh)) << i;
+        for (const Vec3& point : mesh.points)
+            EXPECT_TRUE(std::isfinite(point.x + point.y + point.z)) << i;
+        for (const double volume : volumes(mesh))
+            EXPECT_GT(volume, 0) << i;
+    }
+}
+
 TEST(PropRootMesh, IsAsFineAsIsAsked) {
     PropRootParams params = params_of(RootType::standard, 20);
     const PropRoots plant = grown(params);

@@ -2,6 +2,7 @@
 #include "proproot/root_tables.h"
 
 #include <array>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -43,6 +44,8 @@ TEST(RootTables, TheUsersHeightComesFirst) {
     EXPECT_EQ(highest_primary(params, 20), 110);
     params.highest = 77;
     EXPECT_EQ(highest_primary(params, 20), 77);
+    params.highest = 2;
+    EXPECT_EQ(highest_primary(params, 20), 9);
 }
 
 TEST(RootTables, SlopesGrowWithTheTurn) {

@@ -17,7 +17,9 @@ TEST(Parameter, KeysAreUniqueNames) {
     for (const Parameter& parameter : parameters()) {
         EXPECT_TRUE(keys.insert(parameter.key()).second) << parameter.key();
         EXPECT_TRUE(is_name(parameter.group)) << parameter.group;
-        EXPECT_TRUE(is_name(parameter.name)) << parameter.key();
+        std::string name = parameter.name;
+        if (parameter.group == "proproot") std::ranges::replace(name, '_', '-');  // a thesis' names
+        EXPECT_TRUE(is_name(name)) << parameter.key();
         EXPECT_NE(parameter.key(), "palette.name");  // the attribute that names a palette
     }
 }
@@ -70,6 +72,21 @@ TEST(Parameter, EachReachesItsOwnValueAndNoOther) {
     }
 }
 
+TEST(Parameter, ValuesBeyondTheLimitsAreRefused) {
+    for (const Parameter& parameter : parameters()) {
+        const bool whole = std::holds_alternative<Integer>(parameter.field);
+        if (!whole && !std::holds_alternative<Number>(parameter.field)) continue;
+        const double beyond = whole ? 1 : 1e-3;
+        for (const double value :
+             {parameter.limits.least - beyond, parameter.limits.most + beyond}) {
+            Style style;
+            EXPECT_NE(assign(style, parameter, shortest_text(value)), std::nullopt)
+                << parameter.key() << ' ' << value;
+            EXPECT_EQ(value_text(style, parameter), value_text(Style(), parameter));
+        }
+    }
+}
+
 TEST(Parameter, HelpIsALineWithASource) {
     for (const Parameter& parameter : parameters()) {
         EXPECT_FALSE(parameter.help.empty()) << parameter.key();
@@ -112,6 +129,7 @@ TEST(Parameter, EveryMemberOfAStagesParamsHasItsRow) {
     EXPECT_EQ(rows("variant"), kMembers<VariantParams>);
     EXPECT_EQ(rows("prism") + 1, kMembers<PrismParams>);  // its foliage is a group of its own
     EXPECT_EQ(rows("foliage"), kMembers<FoliageParams>);
+    EXPECT_EQ(rows("proproot"), kMembers<PropRootParams>);
     EXPECT_EQ(rows("look"), kMembers<LookParams>);
     EXPECT_EQ(rows("leaf"), kMembers<OrnamentParams>);
     EXPECT_EQ(rows("blossom"), kMembers<OrnamentParams>);
