@@ -98,7 +98,8 @@ class Absorber {
         }
     }
 
-    // The neighbour with the longest border; of equal ones the lowest.
+    // The neighbour with the longest border; of equal ones the lowest. The sky only if there is no
+    // other: twigs are made of many small parts.
     std::uint32_t best_neighbour(std::uint32_t region) {
         std::vector<std::pair<std::uint32_t, double>> shares;
         for (const std::uint32_t h : edges_of_[region]) {
@@ -113,7 +114,10 @@ class Absorber {
             const std::uint32_t other = shares[i].first;
             for (; i < shares.size() && shares[i].first == other; ++i)
                 sum += shares[i].second;
-            if (sum > longest) longest = sum, best = other;
+            const bool instead_of_sky =
+                best != kNone && is_background(best) && !is_background(other);
+            if (best != kNone && is_background(other) && !is_background(best)) continue;
+            if (sum > longest || instead_of_sky) longest = sum, best = other;
         }
         return best;
     }

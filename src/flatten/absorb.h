@@ -6,7 +6,8 @@ namespace edaha {
 
 // The map without regions (faces of one label that hang together) that are too small or too thin
 // to be drawn: each joins the neighbour with which it has the longest border, the smallest first.
-// Small holes in which the background shows vanish like the others, as do specks that stand alone.
+// What hangs on something that is seen stays: only specks that stand alone join the background.
+// Small holes in which that shows vanish like other regions.
 // Too thin is what is narrower than a fifth of a pixel and not mostly against the background, where
 // it would be a twig. Borders and silhouettes round what vanished are lines no longer.
 // Expected O(E log E).

@@ -47,8 +47,8 @@ CurvePiece sub_piece(const CurvePiece& piece, double from, double to) {
 
 class Fitter {
   public:
-    Fitter(const PlanarMap& map, const ArcSet& arcs, const RunSet& runs, const FitParams& params)
-        : map_(map), arcs_(arcs), runs_(runs), params_(params) {}
+    Fitter(const ArcGraph& graph, const RunSet& runs, const FitParams& params)
+        : graph_(graph), map_(graph.map), runs_(runs), params_(params) {}
 
     ArcCurves fit() {
         fitted_.resize(runs_.runs.size());
@@ -59,43 +59,46 @@ class Fitter {
     }
 
   private:
-    std::uint32_t node_after(ArcUse use) const { return end_node(map_, arcs_, use); }
     Vec2 position(std::uint32_t node) const {
         return to_vec(map_.nodes[node]) / params_.steps_per_px;
-    }
-
-    std::uint32_t half_edge(ArcUse use, std::size_t i) const {
-        const std::span<const std::uint32_t> half_edges = arcs_.of(arcs_.arcs[use.arc]);
-        return use.forward ? half_edges[i] : twin(half_edges[half_edges.size() - 1 - i]);
     }
 
     void fit_run(std::size_t index) {
         const Run& run = runs_.runs[index];
         FittedRun& fitted = fitted_[index];
         const std::span<const ArcUse> uses = runs_.of(run);
-        std::vector<Vec2> points{position(map_.origin(half_edge(uses[0], 0)))};
+        std::vector<Vec2> points;
         double length = 0;
+        const auto add = [&](std::uint32_t node) {
+            const Vec2 p = position(node);
+            if (!points.empty() && p == points.back()) return;
+            if (!points.empty()) length += glm::distance(points.back(), p);
+            points.push_back(p);
+        };
         for (const ArcUse& use : uses) {
-            const std::size_t count = arcs_.of(arcs_.arcs[use.arc]).size();
-            for (std::size_t i = 0; i < count; ++i) {
-                points.push_back(position(map_.target(half_edge(use, i))));
-                length += glm::distance(points[points.size() - 2], points.back());
-            }
-            if (&use != &uses.back()) fitted.junctions.push_back({node_after(use), length, 0});
+            add(map_.origin(graph_.first_half_edge(use)));
+            if (&use != uses.data())
+                fitted.junctions.push_back({graph_.start_node(use), length, 0});
+            for (std::size_t i = 0; i < graph_.size(use.arc); ++i)
+                add(map_.target(graph_.half_edge(use, i)));
         }
-        if (arcs_.arcs[uses[0].arc].closed) {
-            const std::size_t seam = sharpest_vertex(points);
-            points.pop_back();
-            std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(seam),
-                        points.end());
-            points.push_back(points.front());
-        }
+        if (run.closed && points.front() != points.back())
+            add(map_.origin(graph_.first_half_edge(uses[0])));
+        if (graph_.arcs.arcs[uses[0].arc].closed) turn_to_seam(points);
         if (!run.closed) {
-            fitted.start = start_node(map_, arcs_, uses.front());
-            fitted.end = node_after(uses.back());
+            fitted.start = graph_.start_node(uses.front());
+            fitted.end = graph_.end_node(uses.back());
         }
         fitted.curve = {smooth_line(points, run.closed, params_.smooth), run.closed};
         place_junctions(fitted);
+    }
+
+    static void turn_to_seam(std::vector<Vec2>& points) {
+        const std::size_t seam = sharpest_vertex(points);
+        points.pop_back();
+        std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(seam),
+                    points.end());
+        points.push_back(points.front());
     }
 
     void place_junctions(FittedRun& fitted) const {
@@ -128,6 +131,11 @@ class Fitter {
             for (const Junction& junction : run.junctions)
                 placed_[junction.node] = at(run.curve, junction.place);
         }
+        for (std::size_t i = 0; i < fitted_.size(); ++i) {
+            const ArcUse first = runs_.uses[runs_.runs[i].first];
+            if (fitted_[i].start == kNone && !graph_.arcs.arcs[first.arc].closed)
+                placed_[graph_.start_node(first)] = fitted_[i].curve.pieces.front().curve.p0;
+        }
     }
 
     void pin_ends(FittedRun& run) const {
@@ -139,8 +147,7 @@ class Fitter {
     // Moves the end of a run to its node. What lies between the end and the first junction bends
     // with it, no more: other runs end at the junction.
     void pin(FittedRun& run, std::uint32_t node, bool at_end) const {
-        const Vec2 to = placed_[node];
-        if (to.x == HUGE_VAL) return;
+        const Vec2 to = placed_[node].x == HUGE_VAL ? position(node) : placed_[node];
         std::vector<CurvePiece>& pieces = run.curve.pieces;
         const CurvePiece& outer = at_end ? pieces.back() : pieces.front();
         const Vec2 shift = to - (at_end ? outer.curve.p3 : outer.curve.p0);
@@ -181,7 +188,7 @@ class Fitter {
 
     ArcCurves collect() {
         ArcCurves result;
-        result.span_of.resize(arcs_.arcs.size());
+        result.span_of.resize(graph_.arcs.arcs.size());
         for (std::uint32_t r = 0; r < fitted_.size(); ++r) {
             FittedRun& fitted = fitted_[r];
             double from = 0;
@@ -199,8 +206,8 @@ class Fitter {
         return result;
     }
 
+    const ArcGraph& graph_;
     const PlanarMap& map_;
-    const ArcSet& arcs_;
     const RunSet& runs_;
     FitParams params_;
     std::vector<FittedRun> fitted_;
@@ -219,14 +226,14 @@ void append_forward(std::vector<CurvePiece>& pieces, const ArcCurves::RunCurve& 
 
 }  // namespace
 
-ArcCurves fit_arcs(const PlanarMap& map, const ArcSet& arcs, const RunSet& runs,
-                   const FitParams& params) {
-    return Fitter(map, arcs, runs, params).fit();
+ArcCurves fit_arcs(const ArcGraph& graph, const RunSet& runs, const FitParams& params) {
+    return Fitter(graph, runs, params).fit();
 }
 
 std::vector<CurveSpan> joined(std::span<const CurveSpan> spans) {
     std::vector<CurveSpan> result;
     for (const CurveSpan& span : spans) {
+        if (span.run == kNone) continue;
         if (!result.empty() && result.back().run == span.run && result.back().to == span.from &&
             (result.back().from < result.back().to) == (span.from < span.to)) {
             result.back().to = span.to;

@@ -23,7 +23,7 @@ struct ArcCurves {
         bool closed = false;
     };
     std::vector<RunCurve> runs;
-    std::vector<CurveSpan> span_of;  // an arc, run forward
+    std::vector<CurveSpan> span_of;  // an arc, run forward; run kNone if it vanished
 
     CurveSpan span(ArcUse use) const {
         const CurveSpan s = span_of[use.arc];
@@ -40,8 +40,7 @@ struct FitParams {
 // curve, which is cut there without changing its shape: what meets in the map meets in the drawing,
 // and both sides of an arc use the same curve. Parallel over runs; a microsecond a pixel of
 // curved line.
-ArcCurves fit_arcs(const PlanarMap& map, const ArcSet& arcs, const RunSet& runs,
-                   const FitParams& params);
+ArcCurves fit_arcs(const ArcGraph& graph, const RunSet& runs, const FitParams& params);
 
 // The pieces of spans that follow each other, those of one run and direction joined where one goes
 // on where another ends. Ends of joined pieces are equal bit by bit.

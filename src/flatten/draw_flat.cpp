@@ -12,10 +12,16 @@
 namespace edaha {
 namespace {
 
+// Arcs shorter than this don't show: longer, and corners of small areas would be seen to move.
+constexpr double kShortestArc_px = 0.4;
+// Over which it is judged which arcs go on smoothly: as for corners (smooth_line.cpp).
+constexpr double kWindow_px = 2;
+
 FitParams fit_params(const LabelledMap& map, const FlattenParams& params) {
     FitParams fit;
     fit.steps_per_px = map.steps_per_px;
     fit.smooth.tolerance = params.smoothing_px;
+    fit.smooth.noise = 0.15;
     fit.smooth.straight = params.look == FlatLook::facets || params.smoothing_px <= 0;
     return fit;
 }
@@ -27,14 +33,12 @@ std::vector<Layer> draw_flat(LabelledMap map, std::span<const MeshPart> parts,
                              const FlatPlace& place) {
     map = absorb_small_regions(std::move(map), params.min_area_px2);
     const std::vector<std::uint32_t> kinds = kept_edges(map, params.look);
-    const ArcSet arcs = cut_arcs(map.map, kinds);
-    const RunSet runs = join_arcs(map.map, arcs, kinds, {2 * map.steps_per_px, 25});
-    const ArcCurves curves = fit_arcs(map.map, arcs, runs, fit_params(map, params));
+    const ArcGraph graph = make_arc_graph(map.map, kinds, kShortestArc_px * map.steps_per_px);
+    const RunSet runs = join_arcs(graph, {kWindow_px * map.steps_per_px, 25});
+    const ArcCurves curves = fit_arcs(graph, runs, fit_params(map, params));
     const double scale = place.mm_per_px;
-    const FlatPicture picture{
-        map,    arcs,  kinds,
-        curves, parts, Affine(scale, 0, 0, scale, place.origin_mm.x, place.origin_mm.y),
-        scale};
+    const Affine page_from_px(scale, 0, 0, scale, place.origin_mm.x, place.origin_mm.y);
+    const FlatPicture picture{map, graph, curves, parts, page_from_px, scale};
     std::vector<Layer> layers;
     const bool filled = params.look != FlatLook::lines && params.look != FlatLook::blueprint;
     if (filled) layers.push_back(draw_fills(picture, params, inks));

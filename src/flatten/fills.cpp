@@ -159,16 +159,8 @@ class FillPainter {
         return order_.time(picture_.map.labels[map_.face_of(h)]);
     }
 
-    // The first and last half-edge of a use.
-    std::uint32_t first_of(ArcUse use) const {
-        const Arc& arc = picture_.arcs.arcs[use.arc];
-        const auto& all = picture_.arcs.half_edges;
-        return use.forward ? all[arc.first] : twin(all[arc.end - 1]);
-    }
-    std::uint32_t last_of(ArcUse use) const { return twin(first_of({use.arc, !use.forward})); }
-
     double growth(ArcUse use, std::uint32_t time) const {
-        const std::uint32_t h = twin(first_of(use));
+        const std::uint32_t h = twin(picture_.graph.first_half_edge(use));
         if (time_left_of(h) <= time) return 0;
         return std::min(trap_px_, 0.4 * double(width_[h]));
     }
@@ -196,6 +188,7 @@ class FillPainter {
     }
 
     std::vector<CurvePiece> outline(std::span<const ArcUse> uses, std::uint32_t time) const {
+        const ArcGraph& graph = picture_.graph;
         std::vector<GrownPiece> ring;
         for (std::size_t i = 0; i < uses.size();) {
             const double by = growth(uses[i], time);
@@ -210,11 +203,12 @@ class FillPainter {
             for (const CurvePiece& piece : pieces_along(picture_.curves, spans))
                 ring.push_back({piece, by, GrownEnd::open, GrownEnd::open});
             if (by > 0 && ring.size() > first) {
-                const std::size_t before = (i + uses.size() - 1) % uses.size();
-                const std::uint32_t in = last_of(uses[end - 1]);
-                ring[first].start =
-                    end_kind(first_of(uses[i]), twin(last_of(uses[before])), false, time);
-                ring.back().end = end_kind(twin(in), first_of(uses[end % uses.size()]), true, time);
+                const ArcUse before = uses[(i + uses.size() - 1) % uses.size()];
+                const ArcUse after = uses[end % uses.size()];
+                ring[first].start = end_kind(graph.first_half_edge(uses[i]),
+                                             twin(graph.last_half_edge(before)), false, time);
+                ring.back().end = end_kind(twin(graph.last_half_edge(uses[end - 1])),
+                                           graph.first_half_edge(after), true, time);
             }
             i = end;
         }
@@ -225,7 +219,8 @@ class FillPainter {
         Path path;
         for (const std::uint32_t i : area.rings) {
             const RegionRings::Ring& ring = areas.rings.rings[i];
-            const std::vector<ArcUse> uses = arcs_of_ring(picture_.arcs, areas.rings.of(ring));
+            const std::vector<ArcUse> uses =
+                arcs_of_ring(picture_.graph.arcs, areas.rings.of(ring));
             Path outline_path;
             append_pieces(outline_path, outline(uses, area.time), picture_.page_from_px);
             if (outline_path.verbs.size() < 3) continue;

@@ -11,8 +11,7 @@ namespace edaha {
 // What fills and strokes are drawn from: a map, its arcs, their curves, and where they lie.
 struct FlatPicture {
     const LabelledMap& map;
-    const ArcSet& arcs;
-    std::span<const std::uint32_t> kind_of_edge;  // kept_edges()
+    const ArcGraph& graph;  // of kept_edges()
     const ArcCurves& curves;
     std::span<const MeshPart> parts;
     Affine page_from_px{1, 0, 0, 1, 0, 0};

@@ -89,49 +89,16 @@ RunSet follow_partners(const ArcSet& arcs, std::span<const std::uint32_t> partne
     return Follower(arcs, partner).follow(wanted);
 }
 
-std::vector<Spoke> spokes_of(const PlanarMap& map, const ArcSet& arcs,
-                             std::span<const std::uint32_t> kind_of_edge,
-                             std::span<const std::uint8_t> wanted, double window) {
-    std::vector<Spoke> spokes;
-    for (std::uint32_t a = 0; a < arcs.arcs.size(); ++a) {
-        if (arcs.arcs[a].closed || !wanted[a]) continue;
-        const std::uint32_t kind = kind_of_edge[arcs.half_edges[arcs.arcs[a].first] / 2];
-        for (const bool forward : {true, false}) {
-            const ArcUse use{a, forward};
-            const Vec2 direction = leaving_direction(map, arcs, use, window);
-            spokes.push_back({start_node(map, arcs, use), 2 * a + (forward ? 0 : 1),
-                              glm::normalize(direction), kind});
-        }
-    }
-    std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
-        return a.node != b.node ? a.node < b.node : a.end < b.end;
-    });
-    return spokes;
-}
-
-RunSet join_arcs(const PlanarMap& map, const ArcSet& arcs,
-                 std::span<const std::uint32_t> kind_of_edge, const RunParams& params) {
-    const std::vector<std::uint8_t> all(arcs.arcs.size(), 1);
+RunSet join_arcs(const ArcGraph& graph, const RunParams& params) {
+    const std::size_t count = graph.arcs.arcs.size();
+    std::vector<std::uint8_t> wanted(count);
+    for (std::size_t a = 0; a < count; ++a)
+        wanted[a] = !graph.vanished[a];
     const double least_cos = stable::sin_cos(params.most_turn * std::numbers::pi / 180).cos;
-    std::vector<std::uint32_t> partner(2 * arcs.arcs.size(), kNone);
-    visit_nodes(spokes_of(map, arcs, kind_of_edge, all, params.window),
+    std::vector<std::uint32_t> partner(2 * count, kNone);
+    visit_nodes(spokes_of(graph, wanted, params.window),
                 [&](std::span<const Spoke> spokes) { pair_best(spokes, least_cos, partner); });
-    return follow_partners(arcs, partner, all);
-}
-
-Vec2 leaving_direction(const PlanarMap& map, const ArcSet& arcs, ArcUse from, double window) {
-    const std::span<const std::uint32_t> half_edges = arcs.of(arcs.arcs[from.arc]);
-    const GridPoint node = map.nodes[start_node(map, arcs, from)];
-    Vec2 direction(0);
-    for (std::size_t i = 0; i < half_edges.size(); ++i) {
-        const std::uint32_t h =
-            from.forward ? half_edges[i] : twin(half_edges[half_edges.size() - 1 - i]);
-        const GridVector way = map.nodes[map.target(h)] - node;
-        if (way.x == 0 && way.y == 0) break;
-        direction = {double(way.x), double(way.y)};
-        if (glm::dot(direction, direction) >= window * window) break;
-    }
-    return direction;
+    return follow_partners(graph.arcs, partner, wanted);
 }
 
 }  // namespace edaha

@@ -109,6 +109,7 @@ std::vector<std::size_t> essential(std::span<const Vec2> points, bool closed, do
 
 // How much the line turns within `window` of a place.
 double turn_at(const Polyline& line, double s, double window) {
+    window = std::min(window, line.length() / 4);  // of small rings not the way round
     const Vec2 p = line.at(s);
     return turn_between(p - line.at(s - window), line.at(s + window) - p);
 }
@@ -225,7 +226,10 @@ class Smoother {
         if (!corner_[to]) return seam_tangent();
         return free_tangent(line_.length_at(to), line_.length_at(from));
     }
-    Vec2 seam_tangent() const { return line_.at(kWindow) - line_.at(-kWindow); }
+    Vec2 seam_tangent() const {
+        const double window = std::min(kWindow, line_.length() / 4);
+        return line_.at(window) - line_.at(-window);
+    }
 
     std::vector<CurveSample> samples(std::size_t from, std::size_t to) const {
         const double begin = line_.length_at(from), end = line_.length_at(to);

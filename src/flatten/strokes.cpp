@@ -27,19 +27,18 @@ int family(LineKind kind) {
 class Chainer {
   public:
     Chainer(const FlatPicture& picture, const FlattenParams& params, bool hidden)
-        : picture_(picture), params_(params), arcs_(picture.arcs) {
+        : picture_(picture), params_(params), graph_(picture.graph), arcs_(graph_.arcs) {
         wanted_.resize(arcs_.arcs.size());
         for (std::uint32_t a = 0; a < wanted_.size(); ++a) {
-            const std::uint32_t kind = kind_of(a);
+            const std::uint32_t kind = graph_.kind(a);
             const LineKind line = line_of_kind(kind);
-            wanted_[a] = line < LineKind::tone && is_hidden_kind(kind) == hidden &&
-                         width_mm(params, line) > 0;
+            wanted_[a] = !graph_.vanished[a] && line < LineKind::tone &&
+                         is_hidden_kind(kind) == hidden && width_mm(params, line) > 0;
         }
     }
 
     std::vector<Stroke> chain() {
-        spokes_ = spokes_of(picture_.map.map, arcs_, picture_.kind_of_edge, wanted_,
-                            kWindow_px * picture_.map.steps_per_px);
+        spokes_ = spokes_of(graph_, wanted_, kWindow_px * picture_.map.steps_per_px);
         partner_.assign(2 * arcs_.arcs.size(), kNone);
         visit_nodes(spokes_, [&](std::span<const Spoke> spokes) { pair(spokes); });
         for (int round = 0; round < 2; ++round)
@@ -50,10 +49,7 @@ class Chainer {
   private:
     static constexpr double kWindow_px = 2;
 
-    std::uint32_t kind_of(std::uint32_t arc) const {
-        return picture_.kind_of_edge[arcs_.half_edges[arcs_.arcs[arc].first] / 2];
-    }
-    LineKind line_of(std::uint32_t arc) const { return line_of_kind(kind_of(arc)); }
+    LineKind line_of(std::uint32_t arc) const { return line_of_kind(graph_.kind(arc)); }
 
     // HUGE_VAL: not allowed.
     double cost(const Spoke& a, const Spoke& b) const {
@@ -149,13 +145,15 @@ class Chainer {
             const Run& run = chains.runs[i];
             all[i] = stroke_of(chains.of(run), run.closed);
             if (run.closed) return;
-            const PlanarMap& map = picture_.map.map;
-            all[i].joined = degree[start_node(map, arcs_, chains.of(run).front())] > 1 &&
-                            degree[end_node(map, arcs_, chains.of(run).back())] > 1;
+            all[i].joined = degree[graph_.start_node(chains.of(run).front())] > 1 &&
+                            degree[graph_.end_node(chains.of(run).back())] > 1;
         });
         std::vector<Stroke> strokes;
         for (Stroke& stroke : all) {
-            const double shortest = stroke.joined ? 0.1 * params_.min_line_mm : params_.min_line_mm;
+            // What lies between two lines is covered by their round ends if it is no longer than
+            // wide.
+            double shortest = params_.min_line_mm;
+            if (stroke.joined) shortest = std::min(shortest, width_mm(params_, stroke.kind));
             if (length_mm(stroke) >= shortest) strokes.push_back(std::move(stroke));
         }
         return strokes;
@@ -166,7 +164,7 @@ class Chainer {
         std::array<double, 8> share{};
         for (const ArcUse& use : uses) {
             spans.push_back(picture_.curves.span(use));
-            share[static_cast<std::size_t>(line_of(use.arc))] += arc_length(use.arc);
+            share[static_cast<std::size_t>(line_of(use.arc))] += graph_.length[use.arc];
         }
         Stroke stroke;
         stroke.pieces = pieces_along(picture_.curves, spans);
@@ -176,27 +174,17 @@ class Chainer {
         return stroke;
     }
 
-    // In steps, along the map's edges.
-    double arc_length(std::uint32_t arc) const {
-        const PlanarMap& map = picture_.map.map;
-        double sum = 0;
-        for (const std::uint32_t h : arcs_.of(arcs_.arcs[arc])) {
-            sum +=
-                glm::distance(to_vec(map.nodes[map.origin(h)]), to_vec(map.nodes[map.target(h)]));
-        }
-        return sum;
-    }
-
     double length_mm(const Stroke& stroke) const {
         double sum = 0;
         for (const CurvePiece& piece : stroke.pieces)
             sum += piece.straight ? glm::distance(piece.curve.p0, piece.curve.p3)
-                                  : edaha::arc_length(piece.curve);
+                                  : arc_length(piece.curve);
         return sum * picture_.mm_per_px;
     }
 
     const FlatPicture& picture_;
     const FlattenParams& params_;
+    const ArcGraph& graph_;
     const ArcSet& arcs_;
     std::vector<std::uint8_t> wanted_;  // an arc
     std::vector<Spoke> spokes_;
