@@ -16,6 +16,9 @@ constexpr std::size_t kWorthThreads = 256;
 // Ends of straight lines are moved by rounding alone, a few steps of the grid: that needs no cut.
 constexpr double kRounding_px = 1.0 / 256;
 
+// Of what both sides of a region may stray: half of it and they could meet.
+constexpr double kShareOfWidth = 0.3;
+
 // Where along its run a node lies: the end of the use before it.
 struct Junction {
     std::uint32_t node = 0;
@@ -89,8 +92,21 @@ class Fitter {
             fitted.start = graph_.start_node(uses.front());
             fitted.end = graph_.end_node(uses.back());
         }
-        fitted.curve = {smooth_line(points, run.closed, params_.smooth), run.closed};
+        fitted.curve = {smooth_line(points, run.closed, params_for(uses)), run.closed};
         place_junctions(fitted);
+    }
+
+    SmoothParams params_for(std::span<const ArcUse> uses) const {
+        SmoothParams smooth = params_.smooth;
+        double narrowest = HUGE_VAL;
+        for (const ArcUse& use : uses) {
+            const std::uint32_t h = graph_.first_half_edge(use);
+            narrowest =
+                std::min({narrowest, double(params_.width[h]), double(params_.width[twin(h)])});
+        }
+        smooth.tolerance = std::min(smooth.tolerance, kShareOfWidth * narrowest);
+        smooth.noise = std::min(smooth.noise, 0.5 * kShareOfWidth * narrowest);
+        return smooth;
     }
 
     static void turn_to_seam(std::vector<Vec2>& points) {

@@ -33,13 +33,15 @@ struct ArcCurves {
 
 struct FitParams {
     double steps_per_px = 2048;
+    std::span<const float> width{};  // a half-edge: pixels; SeenRegions::width
     SmoothParams smooth;
 };
 
-// Each run fitted once. At a node that a run passes through, arcs of other runs end exactly on its
-// curve, which is cut there without changing its shape: what meets in the map meets in the drawing,
-// and both sides of an arc use the same curve. Parallel over runs; a microsecond a pixel of
-// curved line.
+// Each run fitted once, nowhere further from the map than a share of the narrowest region beside
+// it: its two sides don't cross. At a node that a run passes through, arcs of other runs end
+// exactly on its curve, which is cut there without changing its shape: what meets in the map meets
+// in the drawing, and both sides of an arc use the same curve. Parallel over runs; a microsecond a
+// pixel of curved line.
 ArcCurves fit_arcs(const ArcGraph& graph, const RunSet& runs, const FitParams& params);
 
 // The pieces of spans that follow each other, those of one run and direction joined where one goes

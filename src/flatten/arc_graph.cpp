@@ -19,7 +19,8 @@ double arc_length_of(const PlanarMap& map, std::span<const std::uint32_t> half_e
 // Joins nodes over short arcs.
 class Contractor {
   public:
-    Contractor(ArcGraph& graph, double shortest) : graph_(graph), shortest_(shortest) {}
+    Contractor(ArcGraph& graph, const ContractParams& params)
+        : graph_(graph), shortest_(params.shortest), is_outer_(params.is_outer) {}
 
     void contract() {
         std::vector<std::uint32_t>& root = graph_.node_of;
@@ -50,6 +51,7 @@ class Contractor {
     struct Cluster {
         GridBox box;
         double longest = 0;  // of the arcs that end in the node that stands for it
+        bool outer = false;  // lies on the background's border
     };
 
     std::uint32_t find(std::uint32_t node) {
@@ -57,6 +59,11 @@ class Contractor {
         while (root[node] != node)
             node = root[node] = root[root[node]];
         return node;
+    }
+
+    bool borders_outside(std::uint32_t arc) const {
+        const std::uint32_t h = graph_.first_half_edge({arc, true});
+        return is_outer_[graph_.map.face_of(h)] || is_outer_[graph_.map.face_of(twin(h))];
     }
 
     // Only nodes of short arcs have clusters.
@@ -77,6 +84,7 @@ class Contractor {
                 const std::uint32_t cluster = cluster_of_[graph_.start_node({a, forward})];
                 if (cluster == kNone) continue;
                 clusters_[cluster].longest = std::max(clusters_[cluster].longest, graph_.length[a]);
+                clusters_[cluster].outer |= borders_outside(a);
             }
         }
     }
@@ -90,16 +98,19 @@ class Contractor {
         box.include(second.box.max);
         const GridVector size = box.max - box.min;
         if (double(std::max(size.x, size.y)) > 2 * shortest_) return;
+        if (a != b && first.outer && second.outer && !borders_outside(arc)) return;
         graph_.vanished[arc] = 1;
         if (a == b) return;
         if (second.longest > first.longest) std::swap(a, b);
         Cluster& kept = clusters_[cluster_of_[a]];
         kept.box = box;
+        kept.outer = first.outer || second.outer;
         graph_.node_of[b] = a;
     }
 
     ArcGraph& graph_;
     double shortest_;
+    std::span<const std::uint8_t> is_outer_;
     std::vector<std::uint32_t> cluster_of_;  // a node
     std::vector<Cluster> clusters_;
 };
@@ -120,11 +131,11 @@ Vec2 leaving_direction(const ArcGraph& graph, ArcUse use, double window) {
 }  // namespace
 
 ArcGraph make_arc_graph(const PlanarMap& map, std::span<const std::uint32_t> kind_of_edge,
-                        double shortest) {
+                        const ContractParams& params) {
     ArcGraph graph{map, kind_of_edge, cut_arcs(map, kind_of_edge), {}, {}, {}};
     for (const Arc& arc : graph.arcs.arcs)
         graph.length.push_back(arc_length_of(map, graph.arcs.of(arc)));
-    Contractor(graph, shortest).contract();
+    Contractor(graph, params).contract();
     return graph;
 }
 

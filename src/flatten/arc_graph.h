@@ -46,10 +46,16 @@ struct ArcGraph {
     std::uint32_t end_node(ArcUse use) const { return node_of[map.target(last_half_edge(use))]; }
 };
 
-// Arcs shorter than `shortest` steps vanish, if what becomes one node measures no more than twice
-// that. The shortest first; a node is stood for by the one of the longest arc. O(E).
+struct ContractParams {
+    double shortest = 0;                       // steps
+    std::span<const std::uint8_t> is_outer{};  // a face: 1 for the background
+};
+
+// Arcs shorter than `shortest` vanish, if what becomes one node measures no more than twice that,
+// and if that doesn't pinch off what is thin: arcs that run from background to background stay.
+// The shortest first; a node is stood for by the one of the longest arc. O(E).
 ArcGraph make_arc_graph(const PlanarMap& map, std::span<const std::uint32_t> kind_of_edge,
-                        double shortest);
+                        const ContractParams& params);
 
 // All arcs that are `wanted` and end in nodes, by node and end. Directions are those to the place
 // on the arc that is `window` steps away as the crow flies, or to its end.

@@ -17,9 +17,11 @@ constexpr double kShortestArc_px = 0.4;
 // Over which it is judged which arcs go on smoothly: as for corners (smooth_line.cpp).
 constexpr double kWindow_px = 2;
 
-FitParams fit_params(const LabelledMap& map, const FlattenParams& params) {
+FitParams fit_params(const LabelledMap& map, const SeenRegions& regions,
+                     const FlattenParams& params) {
     FitParams fit;
     fit.steps_per_px = map.steps_per_px;
+    fit.width = regions.width;
     fit.smooth.tolerance = params.smoothing_px;
     fit.smooth.noise = 0.15;
     fit.smooth.straight = params.look == FlatLook::facets || params.smoothing_px <= 0;
@@ -32,13 +34,18 @@ std::vector<Layer> draw_flat(LabelledMap map, std::span<const MeshPart> parts,
                              const FlattenParams& params, const FlattenInks& inks,
                              const FlatPlace& place) {
     map = absorb_small_regions(std::move(map), params.min_area_px2);
+    const SeenRegions regions = find_regions(map);
     const std::vector<std::uint32_t> kinds = kept_edges(map, params.look);
-    const ArcGraph graph = make_arc_graph(map.map, kinds, kShortestArc_px * map.steps_per_px);
+    std::vector<std::uint8_t> is_outer(map.map.faces());
+    for (std::size_t face = 0; face < is_outer.size(); ++face)
+        is_outer[face] = map.labels[face].part == kNone;
+    const ArcGraph graph =
+        make_arc_graph(map.map, kinds, {kShortestArc_px * map.steps_per_px, is_outer});
     const RunSet runs = join_arcs(graph, {kWindow_px * map.steps_per_px, 25});
-    const ArcCurves curves = fit_arcs(graph, runs, fit_params(map, params));
+    const ArcCurves curves = fit_arcs(graph, runs, fit_params(map, regions, params));
     const double scale = place.mm_per_px;
     const Affine page_from_px(scale, 0, 0, scale, place.origin_mm.x, place.origin_mm.y);
-    const FlatPicture picture{map, graph, curves, parts, page_from_px, scale};
+    const FlatPicture picture{map, regions, graph, curves, parts, page_from_px, scale};
     std::vector<Layer> layers;
     const bool filled = params.look != FlatLook::lines && params.look != FlatLook::blueprint;
     if (filled) layers.push_back(draw_fills(picture, params, inks));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -12,7 +13,6 @@
 #include "flatten/grow_ring.h"
 #include "flatten/paint_order.h"
 #include "geometry/measure.h"
-#include "geometry/region_rings.h"
 
 namespace edaha {
 namespace {
@@ -33,9 +33,9 @@ struct Areas {
     std::vector<Area> areas;
 };
 
-Areas collect(const PlanarMap& map, std::span<const std::uint32_t> labels) {
+Areas collect(RegionRings&& traced) {
     Areas result;
-    result.rings = trace_region_rings(map, labels);
+    result.rings = std::move(traced);
     std::vector<std::uint32_t> order(result.rings.rings.size());
     for (std::uint32_t i = 0; i < order.size(); ++i)
         order[i] = i;
@@ -52,10 +52,6 @@ Areas collect(const PlanarMap& map, std::span<const std::uint32_t> labels) {
         result.areas.back().rings.push_back(i);
     }
     return result;
-}
-
-std::uint32_t code(FaceLabel label) {
-    return label.part == kNone ? 0 : label.part * 8 + std::min<std::uint32_t>(label.tone, 7) + 1;
 }
 
 std::uint8_t mixed(std::uint8_t a, std::uint8_t b, double t) {
@@ -96,7 +92,6 @@ class FillPainter {
                 areas->areas[i].path = path_of(*areas, areas->areas[i]);
             });
         }
-        if (params_.trap_mm > 0) layer.children.emplace_back(underlay());
         std::size_t base = 0, tone = 0;
         sort_by_time();
         for (const PaintOrder::Part& part : order_.parts) {
@@ -106,43 +101,30 @@ class FillPainter {
                 add(group, bases_.areas[base], part, part.base);
             for (; tone < tones_.areas.size() && tones_.areas[tone].time <= last; ++tone) {
                 const Area& area = tones_.areas[tone];
-                const auto band = static_cast<std::uint8_t>((area.label - 1) % 8);
-                if (band != part.base) add(group, area, part, band);
+                add(group, area, part, label_of(area.label).tone);
             }
             add_to(layer, std::move(group));
         }
+        share_colour(layer);
         return layer;
     }
 
   private:
     void trace() {
-        std::vector<std::uint32_t> labels(map_.faces()), parts(map_.faces());
-        for (std::size_t f = 0; f < labels.size(); ++f) {
-            labels[f] = code(picture_.map.labels[f]);
+        std::vector<std::uint32_t> parts(map_.faces());
+        for (std::size_t f = 0; f < parts.size(); ++f)
             parts[f] = picture_.map.labels[f].part == kNone ? 0 : picture_.map.labels[f].part + 1;
-        }
-        bases_ = collect(map_, parts);
+        bases_ = collect(trace_region_rings(map_, parts));
         for (Area& area : bases_.areas)
             area.time = order_.time_of_base(area.label - 1);
-        tones_ = collect(map_, labels);
-        for (Area& area : tones_.areas) {
-            area.time = order_.time({(area.label - 1) / 8, std::uint8_t((area.label - 1) % 8)});
-        }
-        measure_widths();
-    }
-
-    // How wide what is seen beside a half-edge is, roughly.
-    void measure_widths() {
-        width_.assign(map_.next.size(), HUGE_VALF);
-        for (const RegionRings::Ring& ring : tones_.rings.rings) {
-            if (ring.area <= 0) continue;
-            double length = 0;
-            for (const std::uint32_t h : tones_.rings.of(ring))
-                length += glm::distance(at(map_.origin(h)), at(map_.target(h)));
-            const double width = 2 * ring.area / length / picture_.map.steps_per_px;
-            for (const std::uint32_t h : tones_.rings.of(ring))
-                width_[h] = static_cast<float>(width);
-        }
+        tones_ = collect(RegionRings(picture_.regions.rings));
+        for (Area& area : tones_.areas)
+            area.time = order_.time(label_of(area.label));
+        const auto is_base = [&](const Area& area) {
+            const FaceLabel label = label_of(area.label);
+            return order_.parts[order_.rank[label.part] - 1].base == label.tone;
+        };
+        std::erase_if(tones_.areas, is_base);
     }
 
     Vec2 at(std::uint32_t node) const { return to_vec(map_.nodes[node]); }
@@ -162,7 +144,7 @@ class FillPainter {
     double growth(ArcUse use, std::uint32_t time) const {
         const std::uint32_t h = twin(picture_.graph.first_half_edge(use));
         if (time_left_of(h) <= time) return 0;
-        return std::min(trap_px_, 0.4 * double(width_[h]));
+        return std::min(trap_px_, 0.4 * double(picture_.regions.width[h]));
     }
 
     // How far an area painted at `time` may spread round the node that `spoke` leaves, on the side
@@ -236,17 +218,6 @@ class FillPainter {
         return path;
     }
 
-    Shape underlay() const {
-        std::vector<std::uint32_t> labels(map_.faces());
-        for (std::size_t f = 0; f < labels.size(); ++f)
-            labels[f] = picture_.map.labels[f].part == kNone ? 0 : 1;
-        const Areas all = collect(map_, labels);
-        const PaintOrder::Part& part = order_.parts.front();
-        return {"silhouette",
-                path_of(all, {1, ~0U, all.areas[0].rings, {}}),
-                {colour(part, part.base), {}, 0}};
-    }
-
     Colour colour(const PaintOrder::Part& part, std::uint8_t tone) const {
         const std::size_t material = picture_.parts[part.part].material;
         std::span<const Colour> tones;
@@ -264,6 +235,34 @@ class FillPainter {
         Paint paint;
         paint.fill = colour(part, tone);
         group.children.emplace_back(Shape{"", area.path, paint});
+    }
+
+    // The most frequent colour is the layer's: shapes inherit it.
+    static void share_colour(Layer& layer) {
+        std::map<std::uint32_t, std::size_t> shapes;
+        const auto key = [](Colour c) { return std::uint32_t{c.r} << 16 | c.g << 8 | c.b; };
+        visit_shapes(layer.children, [&](Shape& s) { ++shapes[key(s.paint.fill.colour)]; });
+        std::size_t most = 0;
+        std::uint32_t colour = 0;
+        for (const auto& [c, count] : shapes) {
+            if (count > most) most = count, colour = c;
+        }
+        visit_shapes(layer.children, [&](Shape& s) {
+            if (key(s.paint.fill.colour) != colour) return;
+            layer.paint.fill = s.paint.fill;
+            s.paint.fill = {};
+        });
+    }
+
+    template <typename Visit>
+    static void visit_shapes(std::vector<Element>& elements, const Visit& visit) {
+        for (Element& element : elements) {
+            if (auto* group = std::get_if<Group>(&element)) {
+                visit_shapes(group->children, visit);
+            } else {
+                visit(std::get<Shape>(element));
+            }
+        }
     }
 
     static void add_to(Layer& layer, Group&& group) {
@@ -285,7 +284,6 @@ class FillPainter {
     double trap_px_;
     PaintOrder order_;
     Areas bases_, tones_;
-    std::vector<float> width_;  // a half-edge: of what is to its left, in pixels
 };
 
 }  // namespace

@@ -24,6 +24,8 @@ constexpr double kSharpTurn = 40 * kDegree;
 constexpr double kFlatTurn = 8 * kDegree;
 // Closer samples cost time, wider ones let curves bulge between them.
 constexpr double kSampleStep = 1.5;
+// Of shorter curves nobody sees that they are lines; those have a third of the numbers.
+constexpr double kShortestCurve = 3;
 // A curve this near its chord is a line.
 constexpr double kStraight = 0.02;
 
@@ -145,6 +147,11 @@ class Smoother {
             std::size_t to = from + 1;
             while (to < last && !corner_[to] && !straight_[to])
                 ++to;
+            if (line_.length_at(to) - line_.length_at(from) < kShortestCurve) {
+                for (; from < to; ++from)
+                    add_line(from);
+                continue;
+            }
             add_curve(from, to);
             from = to;
         }

@@ -53,14 +53,17 @@ struct Painted {
     std::optional<Colour> colour;
 };
 
-void paint(const std::vector<Element>& elements, Vec2 p, const std::string& part, Painted& result) {
+// Shapes without a colour have the `inherited` one, the layer's.
+void paint(const std::vector<Element>& elements, Vec2 p, Colour inherited, const std::string& part,
+           Painted& result) {
     for (const Element& element : elements) {
         if (const auto* group = std::get_if<Group>(&element)) {
-            paint(group->children, p, group->id, result);
+            paint(group->children, p, inherited, group->id, result);
         } else if (const auto* shape = std::get_if<Shape>(&element)) {
             if (winding(shape->path, p) == 0) continue;
             result.part = shape->id.empty() ? part : shape->id;
-            result.colour = shape->paint.fill.colour;
+            const Ink& fill = shape->paint.fill;
+            result.colour = fill.kind == Ink::Kind::inherit ? inherited : fill.colour;
         }
     }
 }
@@ -92,7 +95,8 @@ TEST(DrawFlat, PaintsWhatTheCardsShow) {
                 if (border_distance(cards, {x, y}) < params.smoothing_px + 0.1) continue;
                 ++asked;
                 Painted painted;
-                paint(layers[0].children, Vec2(x, y) * kMmPerPx, "", painted);
+                paint(layers[0].children, Vec2(x, y) * kMmPerPx, layers[0].paint.fill.colour, "",
+                      painted);
                 const FaceLabel label = scenes::seen_at(cards, {x, y});
                 const bool sky = label.part == kNone;
                 EXPECT_EQ(painted.colour.has_value(), !sky) << x << ", " << y;
