@@ -102,10 +102,52 @@ constexpr Point kPoints[kMostDecimals + 1] = {point_after(0), point_after(1), po
                                               point_after(3), point_after(4), point_after(5),
                                               point_after(6)};
 
-// What nearly all numbers of a picture are: above 0 and, in units, below this.
+// Stores all eight bytes of a word, the lowest one first: one instruction where that is the order
+// in memory.
+void store_word(char* out, std::uint64_t text) {
+    for (int i = 0; i < 8; ++i)
+        out[i] = static_cast<char>(text >> 8 * i);
+}
+
+// What most numbers of a picture are, in units: offsets of a path's points, and sines. A larger
+// table would push too much else out of the nearest cache.
+constexpr std::uint32_t kListedUnits = 1000;
+
+// Their texts, with as many decimals: the first character in the lowest byte, in the highest one
+// their number.
+struct ListedTexts {
+    std::uint64_t of[kMostDecimals + 1][kListedUnits] = {};
+
+    constexpr ListedTexts() {
+        for (int decimals = 0; decimals <= kMostDecimals; ++decimals)
+            for (std::uint32_t units = 0; units < kListedUnits; ++units)
+                of[decimals][units] = text_of(units, decimals);
+    }
+
+    static constexpr std::uint64_t text_of(std::uint32_t units, int decimals) {
+        std::uint64_t text = 0, size = 0;
+        const auto put_before = [&](std::uint32_t character) {
+            text = text << 8 | character;
+            ++size;
+        };
+        for (; decimals > 0 && units % 10 == 0; --decimals)
+            units /= 10;
+        const bool has_point = decimals > 0;
+        for (; decimals > 0; --decimals, units /= 10)
+            put_before('0' + units % 10);
+        if (has_point) put_before('.');
+        for (; units > 0 || size == 0; units /= 10)
+            put_before('0' + units % 10);
+        return text | size << 56;
+    }
+};
+
+constexpr ListedTexts kListedTexts;
+
+// What nearly all other numbers are below.
 constexpr std::uint64_t kShortUnits = 10'000'000;
 
-// Makes the text in one word and cuts it out of that.
+// For numbers above 0. Makes the text in one word and cuts it out of that.
 char* write_short(char* out, std::uint32_t units, int decimals) {
     const std::uint64_t digits =
         kFourDigits.of[units / 10000] | std::uint64_t{kFourDigits.of[units % 10000]} << 32;
@@ -115,8 +157,7 @@ char* write_short(char* out, std::uint32_t units, int decimals) {
     const int first = std::countr_zero(digits) >> 3, last = 7 - (std::countl_zero(digits) >> 3);
     const int start = std::min(first - 1, place), end = last > place ? last + 1 : place;
     text >>= 8 * start;
-    for (int i = 0; i < 8; ++i)  // one instruction where the lowest byte comes first
-        out[i] = static_cast<char>(text >> 8 * i);
+    store_word(out, text);
     return out + (end - start);
 }
 
@@ -138,7 +179,12 @@ char* write_units(char* out, std::int64_t units, int decimals) {
     *out = '-';
     out += units < 0;
     const auto magnitude = static_cast<std::uint64_t>(units < 0 ? -units : units);
-    if (magnitude - 1 >= kShortUnits - 1) return write_long(out, magnitude, decimals);
+    if (magnitude < kListedUnits) {
+        const std::uint64_t text = kListedTexts.of[decimals][magnitude];
+        store_word(out, text);
+        return out + (text >> 56);
+    }
+    if (magnitude >= kShortUnits) return write_long(out, magnitude, decimals);
     return write_short(out, static_cast<std::uint32_t>(magnitude), decimals);
 }
 

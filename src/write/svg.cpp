@@ -2,12 +2,8 @@
 #include "write/svg.h"
 
 #include <algorithm>
-#include <cstring>
 #include <string>
 #include <string_view>
-#include <utility>
-
-#include <pugixml.hpp>
 
 #include "base/number_text.h"
 #include "drawing/inherit.h"
@@ -19,15 +15,12 @@
 #include "write/split_path.h"
 #include "write/svg_metadata.h"
 #include "write/xml_text.h"
+#include "write/xml_writer.h"
 
 namespace edaha {
 namespace {
 
 constexpr int kOpacityDecimals = 3;  // finer than the 1/255 of a screen
-
-void set(pugi::xml_node node, const char* name, std::string_view value) {
-    node.append_attribute(name).set_value(value.data(), value.size());
-}
 
 std::string hex(const std::optional<Colour>& colour) {
     if (!colour) return "none";
@@ -85,292 +78,278 @@ bool strokes(const Paint& paint) {
     return paint.stroke.kind == Ink::Kind::colour;
 }
 
-bool any_stroke(const Symbol& symbol) {
-    return std::any_of(symbol.shapes.begin(), symbol.shapes.end(),
-                       [](const Shape& shape) { return strokes(shape.paint); });
-}
-
-// What there are thousands of: pugixml lets copies of what it has parsed share their text.
-struct Templates {
-    pugi::xml_node all;
-    std::vector<pugi::xml_node> uses;  // of the symbols, with an attribute for the transform
+// What is asked of a symbol at each of its instances.
+struct SymbolLink {
+    std::string href;  // escaped
+    bool strokes;      // any of its shapes
 };
 
-struct StringWriter : pugi::xml_writer {
-    void write(const void* data, std::size_t size) override {
-        text.append(static_cast<const char*>(data), size);
-    }
-    std::string text;
-};
-
-Templates load_templates(pugi::xml_document& document, const std::vector<Symbol>& symbols) {
-    pugi::xml_document written;
-    pugi::xml_node node = written.append_child("templates");
-    for (const Symbol& symbol : symbols) {
-        pugi::xml_node use = node.append_child("use");
-        set(use, "xlink:href", '#' + symbol.id);
-        use.append_attribute("transform");
-    }
-    StringWriter writer;
-    written.save(writer, "", pugi::format_raw | pugi::format_no_declaration);
-    document.load_buffer(writer.text.data(), writer.text.size(), pugi::parse_default,
-                         pugi::encoding_utf8);
-    Templates templates{document.first_child(), {}};
-    for (const pugi::xml_node use : templates.all.children())
-        templates.uses.push_back(use);
-    return templates;
+SymbolLink link_to(const Symbol& symbol) {
+    SymbolLink link{"#", std::any_of(symbol.shapes.begin(), symbol.shapes.end(),
+                                     [](const Shape& shape) { return strokes(shape.paint); })};
+    append_xml(link.href, symbol.id, XmlPlace::attribute);
+    return link;
 }
 
 class SvgWriter {
   public:
-    SvgWriter(const Drawing& drawing, const SvgParams& params);
-    SvgReport write(const Sink& sink);
+    SvgWriter(const Drawing& drawing, const SvgParams& params, const Sink& sink);
+    SvgReport write();
 
   private:
     bool has_strokes(const std::vector<Element>& elements) const;
 
-    void add_root();
-    void add_definitions();
-    void add_swatches(pugi::xml_node definitions);
-    void add_symbol(pugi::xml_node definitions, const Symbol& symbol, int decimals);
-    void add_layer(const Layer& layer);
-    void add_elements(pugi::xml_node parent, const std::vector<Element>& elements,
-                      const InheritedPaint& inherited);
-    void add_group(pugi::xml_node parent, const Group& group, const InheritedPaint& inherited);
-    void add_use(pugi::xml_node parent, const Use& use, const InheritedPaint& inherited);
-    void add_expanded(pugi::xml_node parent, const Use& use, const InheritedPaint& inherited);
-    void add_shape(pugi::xml_node parent, const Shape& shape, const InheritedPaint& inherited);
-    pugi::xml_node add_path(pugi::xml_node parent, const std::string& id, const Path& path,
-                            int decimals);
-    pugi::xml_node add_split(pugi::xml_node parent, const std::string& id, const Path& path,
-                             int decimals);
-    void add_paint(pugi::xml_node node, const InheritedPaint& own, const InheritedPaint& inherited);
-    void add_symbol_paint(pugi::xml_node node, const Paint& paint, int decimals);
+    void open_root();
+    void write_definitions();
+    void write_swatches();
+    void write_symbol(const Symbol& symbol, int decimals);
+    void write_layer(const Layer& layer);
+    void write_elements(const std::vector<Element>& elements, const InheritedPaint& inherited);
+    void write_group(const Group& group, const InheritedPaint& inherited);
+    void write_use(const Use& use, const InheritedPaint& inherited);
+    void write_expanded(const Use& use, const InheritedPaint& inherited);
+    void write_shape(const Shape& shape, const InheritedPaint& inherited);
+    template <class AddPaint>
+    void write_path(const std::string& id, const Path& path, int decimals,
+                    const AddPaint& add_own_paint);
+    void write_parts(const Path& path, int decimals);
+    void add_colour(std::string_view name, const std::optional<Colour>& colour);
+    void add_paint(const InheritedPaint& own, const InheritedPaint& inherited);
+    void add_symbol_paint(const Paint& paint, int decimals);
+    void add_number(std::string_view name, double value, int decimals);
 
     const Drawing& drawing_;
     const SvgParams& params_;
     int decimals_;
     std::vector<SymbolPrecision> precision_;
-    pugi::xml_document document_;
-    Templates templates_;  // in the document
-    pugi::xml_node svg_;
+    std::vector<SymbolLink> links_;
+    XmlWriter xml_;
     std::string data_;  // of one path, reused
     SvgReport report_;
 };
 
-SvgWriter::SvgWriter(const Drawing& drawing, const SvgParams& params)
+SvgWriter::SvgWriter(const Drawing& drawing, const SvgParams& params, const Sink& sink)
     : drawing_(drawing),
       params_(params),
       decimals_(params.decimals == SvgParams::kAutomatic
                     ? page_decimals(drawing.width_mm, drawing.height_mm)
                     : std::clamp(params.decimals, 0, kMostDecimals)),
       precision_(symbol_precision(drawing, decimals_)),
-      templates_(load_templates(document_, drawing.symbols)) {}
+      xml_(sink, params.compact) {
+    for (const Symbol& symbol : drawing.symbols)
+        links_.push_back(link_to(symbol));
+}
 
 bool SvgWriter::has_strokes(const std::vector<Element>& elements) const {
     return std::any_of(elements.begin(), elements.end(), [&](const Element& element) {
         if (const auto* shape = std::get_if<Shape>(&element)) return strokes(shape->paint);
         if (const auto* use = std::get_if<Use>(&element)) {
-            return strokes(use->paint) || any_stroke(drawing_.symbols[use->symbol]);
+            return strokes(use->paint) || links_[use->symbol].strokes;
         }
         const auto& group = std::get<Group>(element);
         return strokes(group.paint) || has_strokes(group.children);
     });
 }
 
-void SvgWriter::add_root() {
-    pugi::xml_node declaration = document_.append_child(pugi::node_declaration);
-    declaration.append_attribute("version") = "1.0";
-    declaration.append_attribute("encoding") = "UTF-8";
-    svg_ = document_.append_child("svg");
-    svg_.append_attribute("xmlns") = "http://www.w3.org/2000/svg";
-    svg_.append_attribute("xmlns:xlink") = "http://www.w3.org/1999/xlink";
-    svg_.append_attribute("xmlns:inkscape") = "http://www.inkscape.org/namespaces/inkscape";
-    svg_.append_attribute("version") = "1.1";
+void SvgWriter::open_root() {
+    xml_.declare();
+    xml_.open("svg");
+    xml_.attribute("xmlns", "http://www.w3.org/2000/svg");
+    xml_.attribute("xmlns:xlink", "http://www.w3.org/1999/xlink");
+    xml_.attribute("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape");
+    xml_.attribute("version", "1.1");
     const std::string width = number_text(drawing_.width_mm, kMostDecimals);
     const std::string height = number_text(drawing_.height_mm, kMostDecimals);
-    set(svg_, "width", width + "mm");
-    set(svg_, "height", height + "mm");
-    set(svg_, "viewBox", "0 0 " + width + ' ' + height);
-    append_metadata(svg_, drawing_.metadata);
+    xml_.attribute("width", width + "mm");
+    xml_.attribute("height", height + "mm");
+    xml_.attribute("viewBox", "0 0 " + width + ' ' + height);
+    write_metadata(xml_, drawing_.metadata);
 }
 
-void SvgWriter::add_definitions() {
+void SvgWriter::write_definitions() {
     const bool symbols = !params_.expand && !drawing_.symbols.empty();
     const bool swatches = params_.swatches && !drawing_.swatches.empty();
     if (!symbols && !swatches) return;
-    pugi::xml_node definitions = svg_.append_child("defs");
-    if (swatches) add_swatches(definitions);
-    for (std::size_t i = 0; symbols && i < drawing_.symbols.size(); ++i) {
-        add_symbol(definitions, drawing_.symbols[i], precision_[i].points);
-    }
+    xml_.open("defs");
+    if (swatches) write_swatches();
+    for (std::size_t i = 0; symbols && i < drawing_.symbols.size(); ++i)
+        write_symbol(drawing_.symbols[i], precision_[i].points);
+    xml_.close();
 }
 
-void SvgWriter::add_swatches(pugi::xml_node definitions) {
+void SvgWriter::write_swatches() {
     std::size_t number = 0;
     for (const Swatch& swatch : drawing_.swatches) {
-        pugi::xml_node gradient = definitions.append_child("linearGradient");
-        set(gradient, "id",
-            "swatch-" + std::to_string(++number) + '-' + id_from_label(swatch.name));
-        gradient.append_attribute("inkscape:swatch") = "solid";
-        set(gradient, "inkscape:label", xml_safe(swatch.name));
-        pugi::xml_node stop = gradient.append_child("stop");
-        stop.append_attribute("offset") = "0";
-        set(stop, "stop-color", hex(swatch.colour));
+        xml_.open("linearGradient");
+        xml_.attribute("id",
+                       "swatch-" + std::to_string(++number) + '-' + id_from_label(swatch.name));
+        xml_.attribute("inkscape:swatch", "solid");
+        xml_.attribute("inkscape:label", swatch.name);
+        xml_.open("stop");
+        xml_.attribute("offset", "0");
+        add_colour("stop-color", swatch.colour);
+        xml_.close();
+        xml_.close();
     }
 }
 
 // Without a viewBox the symbol's units are the instance's; visible overflow, since leaves grow out
 // of the origin in all directions and readers clip symbols to their viewport by default.
-void SvgWriter::add_symbol(pugi::xml_node definitions, const Symbol& symbol, int decimals) {
-    pugi::xml_node node = definitions.append_child("symbol");
-    set(node, "id", symbol.id);
-    node.append_attribute("overflow") = "visible";
+void SvgWriter::write_symbol(const Symbol& symbol, int decimals) {
+    xml_.open("symbol");
+    xml_.attribute("id", symbol.id);
+    xml_.attribute("overflow", "visible");
     for (const Shape& shape : symbol.shapes) {
-        pugi::xml_node path = add_path(node, shape.id, shape.path, decimals);
-        if (path) add_symbol_paint(path, shape.paint, decimals);
+        write_path(shape.id, shape.path, decimals,
+                   [&] { add_symbol_paint(shape.paint, decimals); });
     }
+    xml_.close();
+}
+
+void SvgWriter::add_number(std::string_view name, double value, int decimals) {
+    char text[kLongestNumber];
+    const char* const end = write_units(text, to_units(value, decimals), decimals);
+    xml_.plain_attribute(name, {text, static_cast<std::size_t>(end - text)});
+}
+
+void SvgWriter::add_colour(std::string_view name, const std::optional<Colour>& colour) {
+    xml_.plain_attribute(name, hex(colour));
 }
 
 // What surrounds a symbol differs from instance to instance: all that is set is said.
-void SvgWriter::add_symbol_paint(pugi::xml_node node, const Paint& paint, int decimals) {
-    const auto add_ink = [&](const Ink& ink, float opacity, const char* name,
-                             const char* opacity_name) {
+void SvgWriter::add_symbol_paint(const Paint& paint, int decimals) {
+    const auto add_ink = [&](const Ink& ink, float opacity, std::string_view name,
+                             std::string_view opacity_name) {
         const bool colour = ink.kind == Ink::Kind::colour;
-        if (colour) set(node, name, hex(ink.colour));
-        if (ink.kind == Ink::Kind::none) set(node, name, "none");
-        if (colour || opacity != 1) set(node, opacity_name, number_text(opacity, kOpacityDecimals));
+        if (colour) add_colour(name, ink.colour);
+        if (ink.kind == Ink::Kind::none) add_colour(name, std::nullopt);
+        if (colour || opacity != 1) add_number(opacity_name, opacity, kOpacityDecimals);
     };
     add_ink(paint.fill, paint.fill_opacity, "fill", "fill-opacity");
     add_ink(paint.stroke, paint.stroke_opacity, "stroke", "stroke-opacity");
     if (paint.stroke_width_mm > 0) {
         const int finer = std::min(decimals + 1, kMostDecimals);
-        set(node, "stroke-width", number_text(paint.stroke_width_mm, finer));
+        add_number("stroke-width", paint.stroke_width_mm, finer);
     }
 }
 
-void SvgWriter::add_paint(pugi::xml_node node, const InheritedPaint& own,
-                          const InheritedPaint& inherited) {
-    const auto opacity = [](float value) { return number_text(value, kOpacityDecimals); };
-    if (own.fill != inherited.fill) set(node, "fill", hex(own.fill));
-    if (own.fill_opacity != inherited.fill_opacity) {
-        set(node, "fill-opacity", opacity(own.fill_opacity));
-    }
-    if (own.stroke != inherited.stroke) set(node, "stroke", hex(own.stroke));
-    if (own.stroke_opacity != inherited.stroke_opacity) {
-        set(node, "stroke-opacity", opacity(own.stroke_opacity));
-    }
+void SvgWriter::add_paint(const InheritedPaint& own, const InheritedPaint& inherited) {
+    if (own.fill != inherited.fill) add_colour("fill", own.fill);
+    if (own.fill_opacity != inherited.fill_opacity)
+        add_number("fill-opacity", own.fill_opacity, kOpacityDecimals);
+    if (own.stroke != inherited.stroke) add_colour("stroke", own.stroke);
+    if (own.stroke_opacity != inherited.stroke_opacity)
+        add_number("stroke-opacity", own.stroke_opacity, kOpacityDecimals);
     if (own.stroke_width_mm != inherited.stroke_width_mm) {
         // One decimal more than for places: a twig's stroke is only a few steps wide.
         const int finer = std::min(decimals_ + 1, kMostDecimals);
-        set(node, "stroke-width", number_text(own.stroke_width_mm, finer));
+        add_number("stroke-width", own.stroke_width_mm, finer);
     }
     if (own.dash_mm != inherited.dash_mm) {
         const int finer = std::min(decimals_ + 1, kMostDecimals);
         const bool solid = to_units(own.dash_mm, finer) == 0;
-        set(node, "stroke-dasharray", solid ? "none" : number_text(own.dash_mm, finer));
+        xml_.plain_attribute("stroke-dasharray", solid ? "none" : number_text(own.dash_mm, finer));
     }
 }
 
-void SvgWriter::add_layer(const Layer& layer) {
-    pugi::xml_node node = svg_.append_child("g");
-    set(node, "id", layer.id());
-    node.append_attribute("inkscape:groupmode") = "layer";
-    set(node, "inkscape:label", xml_safe(layer.label));
+void SvgWriter::write_layer(const Layer& layer) {
+    xml_.open("g");
+    xml_.attribute("id", layer.id());
+    xml_.attribute("inkscape:groupmode", "layer");
+    xml_.attribute("inkscape:label", layer.label);
     const InheritedPaint own = inherit({}, layer.paint);
-    if (!own.fill) node.append_attribute("fill") = "none";  // SVG's own default is black
-    add_paint(node, own, {});
+    if (!own.fill) add_colour("fill", std::nullopt);  // SVG's own default is black
+    add_paint(own, {});
     if (strokes(layer.paint) || has_strokes(layer.children)) {
-        node.append_attribute("stroke-linecap") = "round";
-        node.append_attribute("stroke-linejoin") = "round";
+        xml_.attribute("stroke-linecap", "round");
+        xml_.attribute("stroke-linejoin", "round");
     }
-    add_elements(node, layer.children, own);
+    write_elements(layer.children, own);
+    xml_.close();
 }
 
-void SvgWriter::add_elements(pugi::xml_node parent, const std::vector<Element>& elements,
-                             const InheritedPaint& inherited) {
+void SvgWriter::write_elements(const std::vector<Element>& elements,
+                               const InheritedPaint& inherited) {
     for (const Element& element : elements) {
         if (const auto* shape = std::get_if<Shape>(&element)) {
-            add_shape(parent, *shape, inherited);
+            write_shape(*shape, inherited);
         } else if (const auto* use = std::get_if<Use>(&element)) {
             if (params_.expand) {
-                add_expanded(parent, *use, inherited);
+                write_expanded(*use, inherited);
             } else {
-                add_use(parent, *use, inherited);
+                write_use(*use, inherited);
             }
         } else {
-            add_group(parent, std::get<Group>(element), inherited);
+            write_group(std::get<Group>(element), inherited);
         }
     }
 }
 
-void SvgWriter::add_group(pugi::xml_node parent, const Group& group,
-                          const InheritedPaint& inherited) {
-    pugi::xml_node node = parent.append_child("g");
-    if (!group.id.empty()) set(node, "id", group.id);
+void SvgWriter::write_group(const Group& group, const InheritedPaint& inherited) {
+    xml_.open("g");
+    if (!group.id.empty()) xml_.attribute("id", group.id);
     const InheritedPaint own = inherit(inherited, group.paint);
-    add_paint(node, own, inherited);
-    add_elements(node, group.children, own);
+    add_paint(own, inherited);
+    write_elements(group.children, own);
+    xml_.close();
 }
 
-void SvgWriter::add_use(pugi::xml_node parent, const Use& use, const InheritedPaint& inherited) {
-    pugi::xml_node node = parent.append_copy(templates_.uses[use.symbol]);
+void SvgWriter::write_use(const Use& use, const InheritedPaint& inherited) {
+    xml_.open("use");
+    xml_.plain_attribute("xlink:href", links_[use.symbol].href);
     const TransformText transform =
         transform_text(use.page_from_symbol, precision_[use.symbol].matrices, decimals_);
-    if (transform.size > 0) {
-        node.last_attribute().set_value(transform.text, transform.size);
-    } else {
-        node.remove_attribute(node.last_attribute());
-    }
-    if (use.paint != Paint{}) add_paint(node, inherit(inherited, use.paint), inherited);
+    if (transform.size > 0) xml_.plain_attribute("transform", {transform.text, transform.size});
+    if (use.paint != Paint{}) add_paint(inherit(inherited, use.paint), inherited);
+    xml_.close();
 }
 
-void SvgWriter::add_expanded(pugi::xml_node parent, const Use& use,
-                             const InheritedPaint& inherited) {
+void SvgWriter::write_expanded(const Use& use, const InheritedPaint& inherited) {
     const Symbol& symbol = drawing_.symbols[use.symbol];
     const InheritedPaint own = inherit(inherited, use.paint);
     const bool several = symbol.shapes.size() > 1;
-    const pugi::xml_node place = several ? parent.append_child("g") : parent;
     const InheritedPaint& around = several ? own : inherited;
-    if (several) add_paint(place, own, inherited);
+    if (several) {
+        xml_.open("g");
+        add_paint(own, inherited);
+    }
     for (const Shape& shape : symbol.shapes) {
         InheritedPaint drawn = inherit(own, shape.paint);
         drawn.stroke_width_mm *= mean_scale(use.page_from_symbol);
         if (!drawn.stroke) drawn.stroke_width_mm = around.stroke_width_mm;
         const Path path = transformed(use.page_from_symbol, shape.path);
-        const pugi::xml_node node = add_path(place, "", path, decimals_);
-        if (node) add_paint(node, drawn, around);
+        write_path("", path, decimals_, [&] { add_paint(drawn, around); });
     }
+    if (several) xml_.close();
 }
 
-void SvgWriter::add_shape(pugi::xml_node parent, const Shape& shape,
-                          const InheritedPaint& inherited) {
-    pugi::xml_node path = add_path(parent, shape.id, shape.path, decimals_);
-    if (path && shape.paint != Paint{}) add_paint(path, inherit(inherited, shape.paint), inherited);
+void SvgWriter::write_shape(const Shape& shape, const InheritedPaint& inherited) {
+    write_path(shape.id, shape.path, decimals_, [&] {
+        if (shape.paint != Paint{}) add_paint(inherit(inherited, shape.paint), inherited);
+    });
 }
 
-// Returns the node that takes the paint; none if nothing remains of the path.
-pugi::xml_node SvgWriter::add_path(pugi::xml_node parent, const std::string& id, const Path& path,
-                                   int decimals) {
-    if (path.verbs.size() > kMostPathNodes && node_count(path) > kMostPathNodes) {
-        return add_split(parent, id, path, decimals);
-    }
+// Calls add_own_paint() while the element that takes it is open; not if nothing remains of the
+// path.
+template <class AddPaint>
+void SvgWriter::write_path(const std::string& id, const Path& path, int decimals,
+                           const AddPaint& add_own_paint) {
+    const bool split = path.verbs.size() > kMostPathNodes && node_count(path) > kMostPathNodes;
     data_.clear();
-    append_path_data(data_, path, decimals);
-    if (data_.empty()) {
+    if (!split) append_path_data(data_, path, decimals);
+    if (!split && data_.empty()) {
         ++report_.vanished_shapes;
-        return {};
+        return;
     }
-    pugi::xml_node node = parent.append_child("path");
-    if (!id.empty()) set(node, "id", id);
-    set(node, "d", data_);
-    return node;
+    xml_.open(split ? "g" : "path");
+    if (!id.empty()) xml_.attribute("id", id);
+    if (!split) xml_.plain_attribute("d", data_);
+    add_own_paint();
+    if (split) write_parts(path, decimals);
+    xml_.close();
 }
 
-pugi::xml_node SvgWriter::add_split(pugi::xml_node parent, const std::string& id, const Path& path,
-                                    int decimals) {
-    pugi::xml_node group = parent.append_child("g");
-    if (!id.empty()) set(group, "id", id);
+void SvgWriter::write_parts(const Path& path, int decimals) {
     std::size_t number = 0;
     for (const Path& part : split_path(path)) {
         if (node_count(part) > kMostPathNodes) ++report_.oversized_paths;
@@ -378,37 +357,27 @@ pugi::xml_node SvgWriter::add_split(pugi::xml_node parent, const std::string& id
         append_path_data(data_, part, decimals);
         if (data_.empty()) continue;
         ++number;
-        set(group.append_child("path"), "d", data_);
+        xml_.open("path");
+        xml_.plain_attribute("d", data_);
+        xml_.close();
     }
     if (number > 1) ++report_.split_paths;
-    return group;
 }
 
-SvgReport SvgWriter::write(const Sink& sink) {
-    struct Counter : pugi::xml_writer {
-        Counter(const Sink& to, std::size_t& counted) : out(to), bytes(counted) {}
-        void write(const void* data, std::size_t size) override {
-            bytes += size;
-            out(std::string_view(static_cast<const char*>(data), size));
-        }
-        const Sink& out;
-        std::size_t& bytes;
-    } counter(sink, report_.bytes);
-
-    add_root();
-    add_definitions();
+SvgReport SvgWriter::write() {
+    open_root();
+    write_definitions();
     for (const Layer& layer : drawing_.layers)
-        add_layer(layer);
-    document_.remove_child(templates_.all);
-    const unsigned format = params_.compact ? pugi::format_raw : pugi::format_indent;
-    document_.save(counter, " ", format, pugi::encoding_utf8);
+        write_layer(layer);
+    xml_.close();
+    report_.bytes = xml_.finish();
     return report_;
 }
 
 }  // namespace
 
 SvgReport write_svg(const Drawing& drawing, const SvgParams& params, const Sink& sink) {
-    return SvgWriter(drawing, params).write(sink);
+    return SvgWriter(drawing, params, sink).write();
 }
 
 SvgReport write_svgz(const Drawing& drawing, const SvgParams& params, const Sink& sink) {

@@ -28,8 +28,8 @@ struct SvgReport {
 // Coordinates are rounded, each for itself; matrices and symbols have the decimals that make them
 // as exact on the page.
 //   With `expand`, the width of a stroke in an instance that is squeezed becomes its mean width.
-// Cost: the whole document stands in memory (about 1.5 times its size) before the first byte goes
-// out. Errors: what `sink` throws.
+// Cost: about 4 ns a byte; no more than a path and 64 KB stand in memory. Errors: what `sink`
+// throws.
 SvgReport write_svg(const Drawing& drawing, const SvgParams& params, const Sink& sink);
 
 // The same, gzipped. `bytes` are the packed ones.

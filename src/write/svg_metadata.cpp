@@ -7,41 +7,38 @@
 #include <pugixml.hpp>
 
 #include "write/gzip.h"
-#include "write/xml_text.h"
+#include "write/xml_writer.h"
 
 namespace edaha {
 namespace {
 
 constexpr const char* kNamespace = "urn:edaha:tree:1";
 
-void append_text(pugi::xml_node parent, const char* name, const std::string& text) {
-    if (text.empty()) return;
-    parent.append_child(name).append_child(pugi::node_pcdata).set_value(xml_safe(text).c_str());
-}
-
 // Dublin Core, as Inkscape shows it under "Document properties".
-void append_work(pugi::xml_node rdf, const Metadata& metadata) {
-    pugi::xml_node work = rdf.append_child("cc:Work");
-    work.append_attribute("rdf:about") = "";
-    append_text(work, "dc:format", "image/svg+xml");
-    work.append_child("dc:type").append_attribute("rdf:resource") =
-        "http://purl.org/dc/dcmitype/StillImage";
-    append_text(work, "dc:title", metadata.title);
-    append_text(work, "dc:description", metadata.description);
-    append_text(work, "dc:source", metadata.command);
+void write_work(XmlWriter& rdf, const Metadata& metadata) {
+    rdf.open("cc:Work");
+    rdf.attribute("rdf:about", "");
+    rdf.text_element("dc:format", "image/svg+xml");
+    rdf.open("dc:type");
+    rdf.attribute("rdf:resource", "http://purl.org/dc/dcmitype/StillImage");
+    rdf.close();
+    rdf.text_element("dc:title", metadata.title);
+    rdf.text_element("dc:description", metadata.description);
+    rdf.text_element("dc:source", metadata.command);
+    rdf.close();
 }
 
 // A node of the same RDF: elements outside it make Inkscape complain.
-void append_tree(pugi::xml_node rdf, const Metadata& metadata) {
-    pugi::xml_node tree = rdf.append_child("edaha:tree");
-    tree.append_attribute("xmlns:edaha") = kNamespace;
-    tree.append_attribute("rdf:about") = "";
-    tree.append_attribute("edaha:version") = xml_safe(metadata.version).c_str();
-    tree.append_attribute("edaha:seed") = std::to_string(metadata.seed).c_str();
-    if (!metadata.recipe.empty())
-        tree.append_attribute("edaha:recipe") = xml_safe(metadata.recipe).c_str();
-    append_text(tree, "edaha:command", metadata.command);
-    append_text(tree, "edaha:style", metadata.style_xml);
+void write_tree(XmlWriter& rdf, const Metadata& metadata) {
+    rdf.open("edaha:tree");
+    rdf.attribute("xmlns:edaha", kNamespace);
+    rdf.attribute("rdf:about", "");
+    rdf.attribute("edaha:version", metadata.version);
+    rdf.attribute("edaha:seed", std::to_string(metadata.seed));
+    if (!metadata.recipe.empty()) rdf.attribute("edaha:recipe", metadata.recipe);
+    rdf.text_element("edaha:command", metadata.command);
+    rdf.text_element("edaha:style", metadata.style_xml);
+    rdf.close();
 }
 
 std::string_view local_name(std::string_view name) {
@@ -97,18 +94,21 @@ std::string child_text(pugi::xml_node parent, std::string_view name) {
 
 }  // namespace
 
-void append_metadata(pugi::xml_node svg, const Metadata& metadata) {
-    append_text(svg, "title", metadata.title);
-    append_text(svg, "desc", metadata.description);
+void write_metadata(XmlWriter& svg, const Metadata& metadata) {
+    svg.text_element("title", metadata.title);
+    svg.text_element("desc", metadata.description);
     const bool anonymous =
         metadata.command.empty() && metadata.style_xml.empty() && metadata.version.empty();
     if (anonymous && metadata.title.empty()) return;
-    pugi::xml_node rdf = svg.append_child("metadata").append_child("rdf:RDF");
-    rdf.append_attribute("xmlns:rdf") = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
-    rdf.append_attribute("xmlns:cc") = "http://creativecommons.org/ns#";
-    rdf.append_attribute("xmlns:dc") = "http://purl.org/dc/elements/1.1/";
-    append_work(rdf, metadata);
-    if (!anonymous) append_tree(rdf, metadata);
+    svg.open("metadata");
+    svg.open("rdf:RDF");
+    svg.attribute("xmlns:rdf", "http://www.w3.org/1999/02/22-rdf-syntax-ns#");
+    svg.attribute("xmlns:cc", "http://creativecommons.org/ns#");
+    svg.attribute("xmlns:dc", "http://purl.org/dc/elements/1.1/");
+    write_work(svg, metadata);
+    if (!anonymous) write_tree(svg, metadata);
+    svg.close();
+    svg.close();
 }
 
 std::optional<Metadata> read_svg_metadata(std::string_view svg, std::size_t max_bytes) {

@@ -6,18 +6,16 @@
 
 #include "drawing/drawing.h"
 
-namespace pugi {
-class xml_node;
-}
-
 namespace edaha {
 
-// Appends <title>, <desc> and <metadata> to an <svg> element: Dublin Core in RDF for others,
+class XmlWriter;
+
+// Writes <title>, <desc> and <metadata> into an <svg> element: Dublin Core in RDF for others,
 // <edaha:tree version seed recipe> with <edaha:command> and <edaha:style> for us, the style as
 // text, to the letter. Parts that are empty are left out.
-void append_metadata(pugi::xml_node svg, const Metadata& metadata);
+void write_metadata(XmlWriter& svg, const Metadata& metadata);
 
-// What append_metadata wrote, also after an editor has saved the file anew. `svg` may be gzipped.
+// What write_metadata wrote, also after an editor has saved the file anew. `svg` may be gzipped.
 // Nothing if it is no SVG, or none of ours. (An XML reader turns CR LF into LF: so does this.)
 // Errors: IoError for a gzipped file that is damaged or unpacks to more than `max_bytes`.
 std::optional<Metadata> read_svg_metadata(std::string_view svg,

@@ -2,6 +2,7 @@
 #include "base/number_text.h"
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <random>
@@ -62,6 +63,23 @@ TEST(NumberText, IsReadBackToWithinHalfAUnit) {
         const bool has_point = text.find('.') != std::string::npos;
         ASSERT_FALSE(has_point && (text.back() == '0' || text.back() == '.')) << text;
         ASSERT_LT(text.size(), static_cast<std::size_t>(kLongestNumber));
+    }
+}
+
+// Every small number, by the C library: all its decimals, then without the zeros that say nothing.
+TEST(NumberText, SmallUnitsToTheLetter) {
+    for (int decimals = 0; decimals <= kMostDecimals; ++decimals) {
+        for (int units = -20'000; units <= 20'000; ++units) {
+            char full[32];
+            std::snprintf(full, sizeof full, "%.*f", decimals, units / std::pow(10.0, decimals));
+            std::string expected = full;
+            if (decimals > 0) expected.erase(expected.find_last_not_of('0') + 1);
+            if (expected.back() == '.') expected.pop_back();
+            const std::size_t digit = expected.find_first_of("0123456789");
+            if (expected[digit] == '0' && expected.size() > digit + 1) expected.erase(digit, 1);
+            char text[kLongestNumber];
+            ASSERT_EQ(std::string(text, write_units(text, units, decimals)), expected);
+        }
     }
 }
 

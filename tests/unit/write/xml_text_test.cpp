@@ -27,5 +27,24 @@ TEST(XmlText, ReplacesWhatIsNoUtf8) {
     EXPECT_EQ(xml_safe("\xf4\x90\x80\x80").size(), 4 * replaced.size());  // above U+10FFFF
 }
 
+std::string appended(std::string_view text, XmlPlace place) {
+    std::string to = "to: ";
+    append_xml(to, text, place);
+    return to;
+}
+
+TEST(XmlText, IsEscapedAsItsPlaceAsksFor) {
+    EXPECT_EQ(appended("a<b>\"c\" & 'd'\t\n", XmlPlace::text), "to: a&lt;b&gt;\"c\" &amp; 'd'\t\n");
+    EXPECT_EQ(appended("a<b>\"c\" & 'd'\t\n\r", XmlPlace::attribute),
+              "to: a&lt;b>&quot;c&quot; &amp; 'd'&#09;&#10;&#13;");
+    EXPECT_EQ(appended("", XmlPlace::text), "to: ");
+}
+
+TEST(XmlText, IsMadeSafeBeforeItIsEscaped) {
+    const std::string hostile("\x1b[0m \xff 枝\0<", 13);
+    for (const XmlPlace place : {XmlPlace::text, XmlPlace::attribute})
+        EXPECT_EQ(appended(hostile, place), "to: [0m \xef\xbf\xbd 枝&lt;");
+}
+
 }  // namespace
 }  // namespace edaha
