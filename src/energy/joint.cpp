@@ -11,6 +11,13 @@
 namespace edaha {
 namespace {
 
+// Of the parent's half width: how far from its section a point may be taken for one of it.
+constexpr double kNearMiss = 0.05;
+// Of the same: how near to its flank a child's counts as crossing it. At a trunk of 10 mm that is
+// the last decimal of most pages.
+constexpr double kOnFlank = 2e-3;
+constexpr int kMostRounds = 5;
+
 double cross(Vec2 a, Vec2 b) {
     return a.x * b.y - a.y * b.x;
 }
@@ -32,9 +39,10 @@ Joint::Joint(const LimbCurve& child, const LimbCurve& parent, std::size_t parent
 }
 
 void Joint::find_side() {
+    Offset centre = offset_at_joint();
     for (double s = stride_; s <= limit_; s += stride_) {
         const LimbSlice child = child_.slice(child_.walk(0, s));
-        const Offset centre = offset_of(child.centre);
+        centre = offset_of(child.centre, centre);
         if (seen_ < steps_.size()) steps_[seen_++] = {s, child, centre};
         if (centre.beyond(1) <= 0 && centre.beyond(-1) <= 0) continue;
         side_ = centre.beyond(1) > 0 ? 1 : -1;
@@ -42,15 +50,8 @@ void Joint::find_side() {
     }
 }
 
-Vec2 Joint::flank_point(int flank, double s) const {
-    return child_.slice(child_.walk(0, s)).at(flank);
-}
-
-// Chord length along the parent, from the joint, of the section through a point.
-double Joint::parent_distance(Vec2 point) const {
-    double s = glm::dot(point - frame_.centre, frame_.tangent);
-    const LimbSlice slice = parent_.slice(parent_.walk(node_, s));
-    return s + glm::dot(point - slice.centre, slice.tangent);
+Joint::Offset Joint::offset_at_joint() const {
+    return {frame_.centre, 0, 0, frame_.half_width, frame_.tangent};
 }
 
 // There the parent is as good as straight.
@@ -58,12 +59,35 @@ bool Joint::near_joint(Vec2 point) const {
     return std::abs(glm::dot(point - frame_.centre, frame_.tangent)) < 2 * frame_.half_width;
 }
 
-Joint::Offset Joint::offset_of(Vec2 point) const {
+// The way along the parent is known from a point nearby, but for what the parent bends in between.
+// If that is much, another step is taken.
+Joint::Offset Joint::offset_of(Vec2 point, const Offset& beside) const {
     if (near_joint(point)) {
-        return {cross(frame_.tangent, point - frame_.centre), frame_.half_width, frame_.tangent};
+        const Vec2 away = point - frame_.centre;
+        return {point, glm::dot(away, frame_.tangent), cross(frame_.tangent, away),
+                frame_.half_width, frame_.tangent};
     }
-    const LimbSlice slice = parent_.slice(parent_.walk(node_, parent_distance(point)));
-    return {cross(slice.tangent, point - slice.centre), slice.half_width, slice.tangent};
+    double along_mm = beside.along_mm + glm::dot(point - beside.point, beside.tangent);
+    for (bool first = true;; first = false) {
+        const LimbSlice slice = parent_.slice(parent_.walk(node_, along_mm));
+        const Vec2 away = point - slice.centre;
+        const double missing_mm = glm::dot(away, slice.tangent);
+        along_mm += missing_mm;
+        if (first && std::abs(missing_mm) > kNearMiss * slice.half_width) continue;
+        return {point, along_mm, cross(slice.tangent, away), slice.half_width, slice.tangent};
+    }
+}
+
+// Near the joint, too, as the parent bends.
+double Joint::parent_distance(const Offset& offset) const {
+    if (!near_joint(offset.point)) return offset.along_mm;
+    const LimbSlice slice = parent_.slice(parent_.walk(node_, offset.along_mm));
+    return offset.along_mm + glm::dot(offset.point - slice.centre, slice.tangent);
+}
+
+Joint::Crossing Joint::crossing(int flank, double along_mm, const Offset& beside) const {
+    const Vec2 point = child_.slice(child_.walk(0, along_mm)).at(flank);
+    return {along_mm, offset_of(point, beside)};
 }
 
 // By the parent's section through the child's centre, as if the parent were straight over the
@@ -86,42 +110,55 @@ std::size_t Joint::last_inside(int flank) const {
 }
 
 // Where along the child its flank crosses the parent's: steps, then false position.
-std::optional<Joint::WayOut> Joint::way_out(int flank) const {
-    double inside = 0, depth = 0;
+std::optional<Joint::Crossing> Joint::way_out(int flank) const {
     std::size_t step = last_inside(flank);
+    Crossing inside{0, offset_at_joint()};
     const double first = seen_ > 0 ? steps_[step].along_mm : stride_;
+    bool any_inside = false;
     for (double s = first; s <= limit_; s += stride_, ++step) {
-        Vec2 corner = step < seen_ ? steps_[step].child.at(flank) : flank_point(flank, s);
-        const double over = offset_of(corner).beyond(side_);
-        if (over < 0) {
-            inside = s, depth = over;
-            continue;
-        }
-        double outside = s, height = over;
-        for (int i = 0; i < 3 && depth < 0; ++i) {
-            const double middle = inside + (outside - inside) * depth / (depth - height);
-            const Vec2 point = flank_point(flank, middle);
-            const double at = offset_of(point).beyond(side_);
-            if (at < 0) {
-                inside = middle, depth = at;
-            } else {
-                outside = middle, height = at, corner = point;
-            }
-        }
-        return WayOut{outside, corner};
+        const Crossing here =
+            step < seen_ ? Crossing{s, offset_of(steps_[step].child.at(flank), steps_[step].centre)}
+                         : crossing(flank, s, inside.corner);
+        if (here.corner.beyond(side_) >= 0) return any_inside ? between(flank, inside, here) : here;
+        inside = here;
+        any_inside = true;
     }
     return std::nullopt;
+}
+
+// The Illinois method (Dowell & Jarratt 1971): false position, but an end that stays for two rounds
+// counts half.
+Joint::Crossing Joint::between(int flank, Crossing inside, Crossing outside) const {
+    double depth = inside.corner.beyond(side_), height = outside.corner.beyond(side_);
+    int last = 0;
+    for (int i = 0; i < kMostRounds; ++i) {
+        const double part = depth / (depth - height);
+        const double middle = inside.along_mm + (outside.along_mm - inside.along_mm) * part;
+        const Crossing here = crossing(flank, middle, inside.corner);
+        const double over = here.corner.beyond(side_);
+        if (std::abs(over) < kOnFlank * frame_.half_width) return here;
+        const int now = over < 0 ? -1 : 1;
+        if (now < 0) {
+            inside = here, depth = over;
+            if (now == last) height /= 2;
+        } else {
+            outside = here, height = over;
+            if (now == last) depth /= 2;
+        }
+        last = now;
+    }
+    return outside;
 }
 
 std::optional<Fillet> Joint::fillet(int flank, bool ahead) const {
     const auto out = way_out(flank);
     if (!out) return std::nullopt;
     Fillet result;
-    result.corner = out->corner;
+    result.corner = out->corner.point;
     const double reach = std::min(radius_mm_, (length_mm_ - out->along_mm) * 0.4);
     result.place = child_.walk(0, out->along_mm + reach);
     result.child = child_.section(result.place).sample(flank);
-    result.along_mm = parent_distance(result.corner) + (ahead ? reach : -reach);
+    result.along_mm = parent_distance(out->corner) + (ahead ? reach : -reach);
     const LimbSection base = parent_.section(parent_.walk(node_, result.along_mm));
     // A hair inside the parent, by what its own flank may be off.
     const double inset = 1.5 * flank_tolerance_mm(base.half_width) / base.half_width;

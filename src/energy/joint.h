@@ -33,6 +33,8 @@ class Joint {
   private:
     // Where a point lies in the parent's section through it: to the right of the centre line.
     struct Offset {
+        Vec2 point;
+        double along_mm;  // the parent, from the joint
         double right_mm, half_width;
         Vec2 tangent;  // of the parent there
         // How far outside the parent's flank on one side; negative inside.
@@ -43,19 +45,22 @@ class Joint {
         LimbSlice child;
         Offset centre;
     };
-    struct WayOut {
-        double along_mm;  // the child
-        Vec2 corner;
+    // A place along the child, and where its flank is there.
+    struct Crossing {
+        double along_mm;
+        Offset corner;
     };
 
     void find_side();
-    Vec2 flank_point(int flank, double s) const;
+    Offset offset_at_joint() const;
     bool near_joint(Vec2 point) const;
-    double parent_distance(Vec2 point) const;
-    Offset offset_of(Vec2 point) const;
+    double parent_distance(const Offset& offset) const;
+    Offset offset_of(Vec2 point, const Offset& beside) const;
+    Crossing crossing(int flank, double along_mm, const Offset& beside) const;
     bool surely_inside(const Step& step, int flank) const;
     std::size_t last_inside(int flank) const;
-    std::optional<WayOut> way_out(int flank) const;
+    std::optional<Crossing> way_out(int flank) const;
+    Crossing between(int flank, Crossing inside, Crossing outside) const;
 
     const LimbCurve& child_;
     const LimbCurve& parent_;
