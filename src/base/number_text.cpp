@@ -144,6 +144,18 @@ struct ListedTexts {
 
 constexpr ListedTexts kListedTexts;
 
+// For numbers of four digits, of which at most four are decimals.
+char* write_four(char* out, std::uint32_t units, int decimals) {
+    const std::uint64_t digits = kFourDigits.of[units];
+    const int before = 4 - decimals;  // the point
+    const std::uint64_t whole = ~(~std::uint64_t{0} << 8 * before);
+    const std::uint64_t text = ((digits & whole) | (digits & ~whole) << 8) + 0x3030303030 -
+                               (std::uint64_t{'0' - '.'} << 8 * before);
+    store_word(out, text);
+    const int last = 7 - (std::countl_zero(digits) >> 3);
+    return out + (last < before ? before : last + 2);
+}
+
 // What nearly all other numbers are below.
 constexpr std::uint64_t kShortUnits = 10'000'000;
 
@@ -184,6 +196,8 @@ char* write_units(char* out, std::int64_t units, int decimals) {
         store_word(out, text);
         return out + (text >> 56);
     }
+    if (magnitude < 10'000 && decimals <= 4)
+        return write_four(out, static_cast<std::uint32_t>(magnitude), decimals);
     if (magnitude >= kShortUnits) return write_long(out, magnitude, decimals);
     return write_short(out, static_cast<std::uint32_t>(magnitude), decimals);
 }

@@ -114,9 +114,10 @@ BitStamp::BitStamp(const BitRaster& shape)
       stride_(static_cast<std::size_t>(columns_ + 2)),
       samples_(stride_ * static_cast<std::size_t>(rows_ + 2)) {
     for (int row = 0; row < rows_; ++row) {
+        const std::uint64_t* const words = &shape.words_[shape.word(0, row)];
+        std::uint8_t* const samples = &samples_[static_cast<std::size_t>(row + 1) * stride_ + 1];
         for (int column = 0; column < columns_; ++column)
-            samples_[static_cast<std::size_t>(row + 1) * stride_ +
-                     static_cast<std::size_t>(column + 1)] = shape.at(column, row);
+            samples[column] = words[column >> 6] >> (column & 63) & 1;
     }
 }
 

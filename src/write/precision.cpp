@@ -9,13 +9,19 @@
 namespace edaha {
 namespace {
 
-void find_scales(const std::vector<Element>& elements, std::vector<double>& scales) {
+// A root keeps the order: it is drawn once, of the largest.
+double largest_square(const Affine& map) {
+    const auto square = [](Vec2 v) { return v.x * v.x + v.y * v.y; };
+    return std::max(square(map[0]), square(map[1]));
+}
+
+void find_scales(const std::vector<Element>& elements, std::vector<double>& squares) {
     for (const Element& element : elements) {
         if (const auto* use = std::get_if<Use>(&element)) {
-            double& scale = scales[use->symbol];
-            scale = std::max(scale, largest_scale(use->page_from_symbol));
+            double& square = squares[use->symbol];
+            square = std::max(square, largest_square(use->page_from_symbol));
         } else if (const auto* group = std::get_if<Group>(&element)) {
-            find_scales(group->children, scales);
+            find_scales(group->children, squares);
         }
     }
 }
@@ -42,12 +48,12 @@ int decimals_at_scale(int decimals, double scale) {
 }
 
 std::vector<SymbolPrecision> symbol_precision(const Drawing& drawing, int decimals) {
-    std::vector<double> scales(drawing.symbols.size(), 0);
+    std::vector<double> squares(drawing.symbols.size(), 0);
     for (const Layer& layer : drawing.layers)
-        find_scales(layer.children, scales);
+        find_scales(layer.children, squares);
     std::vector<SymbolPrecision> precision;
-    for (std::size_t i = 0; i < scales.size(); ++i) {
-        const double scale = scales[i] > 0 ? scales[i] : 1;
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+        const double scale = squares[i] > 0 ? std::sqrt(squares[i]) : 1;
         precision.push_back({decimals_at_scale(decimals, scale),
                              decimals_at_scale(decimals, extent(drawing.symbols[i]))});
     }
@@ -55,8 +61,7 @@ std::vector<SymbolPrecision> symbol_precision(const Drawing& drawing, int decima
 }
 
 double largest_scale(const Affine& map) {
-    const auto length = [](Vec2 v) { return std::sqrt(v.x * v.x + v.y * v.y); };
-    return std::max(length(map[0]), length(map[1]));
+    return std::sqrt(largest_square(map));
 }
 
 double mean_scale(const Affine& map) {

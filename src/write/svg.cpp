@@ -80,14 +80,16 @@ bool strokes(const Paint& paint) {
 
 // What is asked of a symbol at each of its instances.
 struct SymbolLink {
-    std::string href;  // escaped
-    bool strokes;      // any of its shapes
+    std::string attribute;  // that names it
+    bool strokes;           // any of its shapes
 };
 
 SymbolLink link_to(const Symbol& symbol) {
-    SymbolLink link{"#", std::any_of(symbol.shapes.begin(), symbol.shapes.end(),
-                                     [](const Shape& shape) { return strokes(shape.paint); })};
-    append_xml(link.href, symbol.id, XmlPlace::attribute);
+    SymbolLink link{" xlink:href=\"#",
+                    std::any_of(symbol.shapes.begin(), symbol.shapes.end(),
+                                [](const Shape& shape) { return strokes(shape.paint); })};
+    append_xml(link.attribute, symbol.id, XmlPlace::attribute);
+    link.attribute += '"';
     return link;
 }
 
@@ -295,8 +297,7 @@ void SvgWriter::write_group(const Group& group, const InheritedPaint& inherited)
 }
 
 void SvgWriter::write_use(const Use& use, const InheritedPaint& inherited) {
-    xml_.open("use");
-    xml_.plain_attribute("xlink:href", links_[use.symbol].href);
+    xml_.open("use", links_[use.symbol].attribute);
     const TransformText transform =
         transform_text(use.page_from_symbol, precision_[use.symbol].matrices, decimals_);
     if (transform.size > 0) xml_.plain_attribute("transform", {transform.text, transform.size});

@@ -13,17 +13,20 @@ namespace {
 // What an AtomicFile takes without a copy.
 constexpr std::size_t kBufferBytes = 1 << 16;
 
-constexpr std::string_view kBlanks = "                ";
-
 }  // namespace
 
 XmlWriter::XmlWriter(const Sink& sink, bool compact)
     : sink_(sink), compact_(compact), buffer_(kBufferBytes) {}
 
 inline void XmlWriter::put(std::string_view bytes) {
-    if (bytes.size() > kBufferBytes - used_) return put_split(bytes);
+    if (bytes.size() >= kBufferBytes - used_) return put_split(bytes);
     std::memcpy(buffer_.data() + used_, bytes.data(), bytes.size());
     used_ += bytes.size();
+}
+
+inline void XmlWriter::put(char byte) {
+    buffer_[used_++] = byte;
+    if (used_ == kBufferBytes) send();
 }
 
 // Every piece but the last is of the same size.
@@ -44,16 +47,34 @@ void XmlWriter::send() {
     used_ = 0;
 }
 
+inline void XmlWriter::end_start_tag() {
+    assert(!holds_text_);
+    if (!in_start_tag_) return;
+    put('>');
+    end_line();
+    in_start_tag_ = false;
+}
+
+inline void XmlWriter::indent() {
+    for (std::size_t left = compact_ ? 0 : names_.size(); left > 0; --left)
+        put(' ');
+}
+
+inline void XmlWriter::end_line() {
+    if (!compact_) put('\n');
+}
+
 void XmlWriter::declare() {
     put(R"(<?xml version="1.0" encoding="UTF-8"?>)");
     end_line();
 }
 
-void XmlWriter::open(std::string_view name) {
+void XmlWriter::open(std::string_view name, std::string_view attributes) {
     end_start_tag();
     indent();
     put('<');
     put(name);
+    put(attributes);
     names_.push_back(name);
     in_start_tag_ = true;
 }
@@ -110,26 +131,6 @@ std::size_t XmlWriter::finish() {
     assert(names_.empty());
     send();
     return sent_;
-}
-
-void XmlWriter::end_start_tag() {
-    assert(!holds_text_);
-    if (!in_start_tag_) return;
-    put('>');
-    end_line();
-    in_start_tag_ = false;
-}
-
-void XmlWriter::indent() {
-    for (std::size_t left = compact_ ? 0 : names_.size(); left > 0;) {
-        const std::string_view blanks = kBlanks.substr(0, left);
-        put(blanks);
-        left -= blanks.size();
-    }
-}
-
-void XmlWriter::end_line() {
-    if (!compact_) put('\n');
 }
 
 }  // namespace edaha

@@ -21,7 +21,8 @@ class XmlWriter {
     XmlWriter(const Sink& sink, bool compact);
 
     void declare();
-    void open(std::string_view name);
+    // `attributes`: what thousands of elements begin with, as text, with a blank before each.
+    void open(std::string_view name, std::string_view attributes = {});
     void attribute(std::string_view name, std::string_view value);
     // For numbers, path data and the like, in which no character means anything to XML.
     void plain_attribute(std::string_view name, std::string_view value);
@@ -36,7 +37,7 @@ class XmlWriter {
   private:
     void put(std::string_view bytes);
     void put_split(std::string_view bytes);
-    void put(char byte) { put(std::string_view(&byte, 1)); }
+    void put(char byte);
     void send();
     void end_start_tag();
     void indent();
