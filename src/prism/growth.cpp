@@ -114,6 +114,7 @@ class PrismGrowth {
                 params_.frame == PrismFrame::paper ? paper_frame(g) : parallel_frame(from.frame, g);
             finish(prism, factor);
             if (params_.joint == PrismJoint::mitre) prism.corners = mitred_corners(prism, from);
+            if (params_.joint == PrismJoint::weld) prism.corners = welded_corners(prism, from);
             if (is_free(prism)) {
                 grown_.turned += attempt > 0 ? 1 : 0;
                 return prism;

@@ -17,8 +17,9 @@ constexpr double kTouch = 1e-6;
 // Corners of each face, any three that span it, counter-clockwise seen from outside. A pyramid's
 // top spans nothing; its sides are seen from their base.
 constexpr int kFaces[5][3] = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {1, 2, 5}, {2, 0, 3}};
-constexpr int kEdges[9][2] = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5},
-                              {5, 3}, {0, 3}, {1, 4}, {2, 5}};
+// With both diagonals of each side: bent ones bulge along one of them.
+constexpr int kEdges[15][2] = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4},
+                               {2, 5}, {0, 4}, {1, 3}, {1, 5}, {2, 4}, {2, 3}, {0, 5}};
 
 struct Plane {
     Vec3 outward;  // of length 1, or 0 where there is no face
@@ -33,7 +34,10 @@ std::array<Plane, 5> planes_of(const PrismCorners& c, double shrunk_by) {
         const Vec3 normal = glm::cross(at(q) - at(p), at(r) - at(p));
         const double size = glm::length(normal);
         const Vec3 outward = size > 0 ? normal / size : Vec3(0);
-        planes[i] = {outward, glm::dot(outward, at(p)) - (size > 0 ? shrunk_by : 0)};
+        double offset = glm::dot(outward, at(p));
+        for (const Vec3& corner : c)  // beyond the plane where a side is bent
+            offset = std::max(offset, glm::dot(outward, corner));
+        planes[i] = {outward, offset - (size > 0 ? shrunk_by : 0)};
     }
     return planes;
 }

@@ -8,7 +8,8 @@
 namespace edaha {
 
 // Whether two prisms have inner points in common; those that only touch have none. Exact but for
-// rounding: a millionth of their size is taken off. O(1).
+// rounding: a millionth of their size is taken off. Bent sides count as flat ones that hold all of
+// the prism. O(1).
 bool overlap(const PrismCorners& a, const PrismCorners& b);
 
 // The prisms that stand, for asking what a new one would pass through (Uehara & Takai 8) [E].

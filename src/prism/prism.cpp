@@ -19,6 +19,15 @@ PrismCorners open_corners(const Prism& prism) {
     return corners;
 }
 
+PrismCorners welded_corners(const Prism& prism, const Prism& parent) {
+    PrismCorners corners = open_corners(prism);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2 base = prism.base.corners[i];
+        corners[i] = prism.origin + parent.frame[0] * base.x + parent.frame[2] * base.y;
+    }
+    return corners;
+}
+
 PrismCorners mitred_corners(const Prism& prism, const Prism& parent) {
     PrismCorners corners = open_corners(prism);
     const Vec3 up = parent.direction();

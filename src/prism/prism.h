@@ -11,7 +11,7 @@
 namespace edaha {
 
 // Corners 0-2 of the base and 3-5 of the top above them; both counter-clockwise seen from the tip.
-// Convex, with flat sides. A pyramid's top corners are one point.
+// Convex, with flat sides (but see welded_corners()). A pyramid's top corners are one point.
 using PrismCorners = std::array<Vec3, 6>;
 
 // One branch of the paper: where it stands and what it grew from. In mm; y up.
@@ -40,5 +40,9 @@ PrismCorners open_corners(const Prism& prism);
 // The same, but sides whose base lies above the parent's top run back to it, so that nothing gapes
 // where the prism leans; by no more than the base is wide, however far that is [E].
 PrismCorners mitred_corners(const Prism& prism, const Prism& parent);
+
+// The same, but the base stays in the parent's top: there is no step at all, and sides are bent a
+// little. Prisms shorter than wide may be turned inside out at a sharp turn [E].
+PrismCorners welded_corners(const Prism& prism, const Prism& parent);
 
 }  // namespace edaha

@@ -9,7 +9,8 @@ namespace edaha {
 
 enum class PrismCut { longest, turn };      // the longest side (the paper) | the sides in turn [E]
 enum class PrismFrame { paper, parallel };  // two rotations (5) | the least turn from the parent's
-enum class PrismJoint { open, mitre };      // the paper's | prisms run back to their parent's top
+// The paper's | sides run back to the parent's top | prisms stand on it and lean, without any step.
+enum class PrismJoint { open, mitre, weld };
 enum class FoliageShape { none, balls, tiers, sprays };
 
 // Closed, faceted masses of leaves in place of single ones [E].

@@ -65,8 +65,8 @@ std::vector<Parameter> prism_rows() {
         "turn of the first triangle round the trunk", {-60, 60}});
     rows.add(&P::frame, {"frame", {"paper", "parallel"}, "paper 5; parallel: Edaha",
         "how prisms are twisted: by two rotations, or as little as can be"});
-    rows.add(&P::joint, {"joint", {"open", "mitre"}, "paper 6; mitre: Edaha",
-        "where prisms turn: the paper's gaps, or sides that run back to the parent"});
+    rows.add(&P::joint, {"joint", {"open", "mitre", "weld"}, "paper 6; others: Edaha",
+        "where prisms turn: gaps, sides that run back to the parent, or no step at all"});
     rows.add(&P::interference, {"interference", "paper 8",
         "no prism passes through one that stands"});
     rows.add(&P::tries, {"tries", {0, 256}, kOurs,

@@ -186,6 +186,33 @@ TEST(PrismGrowth, MitredJointsLeaveNoGap) {
     }
 }
 
+TEST(PrismGrowth, WeldedBasesMakeUpTheirParentsTop) {
+    PrismParams params = only(&PrismParams::two_way);
+    params.alpha = params.beta = {0.1, 0.6};
+    params.joint = PrismJoint::weld;
+    params.frame = PrismFrame::parallel;
+    params.taper = 0.8;
+    const GrownPrisms tree = grow(params, random_of(1));
+    std::vector<double> covered(tree.prisms.size(), 0);
+    for (const Prism& prism : tree.prisms) {
+        if (prism.parent < 0) continue;
+        const PrismCorners& c = prism.corners;
+        const PrismCorners& top = parent_of(tree, prism).corners;
+        const auto in_top = [&](std::size_t i) {
+            return std::ranges::any_of(
+                top, [&](const Vec3& corner) { return glm::distance(c[i], corner) < 1e-9; });
+        };
+        EXPECT_EQ(in_top(0) + in_top(1) + in_top(2), 2);  // the third is where the cut ends
+        covered[static_cast<std::size_t>(prism.parent)] +=
+            glm::length(glm::cross(c[1] - c[0], c[2] - c[0])) / 2;
+    }
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+        const Prism& prism = tree.prisms[i];
+        if (prism.last) continue;
+        EXPECT_NEAR(covered[i] / (area(prism.base) * 0.8 * 0.8), 1, 1e-9);
+    }
+}
+
 // The widest overlap of two prisms of a tree that don't meet at a joint, in mm.
 double widest_overlap(const std::vector<Prism>& prisms) {
     double widest = 0;
@@ -203,14 +230,18 @@ TEST(PrismGrowth, NoTwoPrismsPassThroughEachOther) {
     PrismParams params;
     params.depth = 8;
     params.mixed = 2;
+    params.radius_mm = 3;
     std::size_t turned = 0, dropped = 0;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         params.interference = false;
         EXPECT_GT(widest_overlap(grow(params, random_of(seed)).prisms), 0.1);
         params.interference = true;
-        const GrownPrisms tree = grow(params, random_of(seed));
-        EXPECT_LT(widest_overlap(tree.prisms), 1e-3);
-        turned += tree.turned, dropped += tree.dropped;
+        for (const PrismJoint joint : {PrismJoint::open, PrismJoint::mitre, PrismJoint::weld}) {
+            params.joint = joint;
+            const GrownPrisms tree = grow(params, random_of(seed));
+            EXPECT_LT(widest_overlap(tree.prisms), 1e-3);
+            turned += tree.turned, dropped += tree.dropped;
+        }
     }
     EXPECT_GT(turned, 0U);
     EXPECT_GT(dropped, 0U);

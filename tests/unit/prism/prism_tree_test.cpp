@@ -57,16 +57,19 @@ TEST(PrismTree, TaperedPrismsAreFrustaAndPointedOnesPyramids) {
     EXPECT_EQ(tree.mesh.points.size(), 6U + 6 + 4);
 }
 
-TEST(PrismTree, MitredPrismsAreClosedToo) {
-    PrismParams params;
-    params.depth = 8;
-    params.joint = PrismJoint::mitre;
-    params.taper = 0.9;
-    params.pointed = true;
-    const PrismTree tree = tree_of(params);
-    EXPECT_TRUE(oracles::is_closed(tree.mesh));
-    for (std::uint32_t part = 0; part < tree.mesh.parts.size(); ++part)
-        EXPECT_GT(oracles::volume(tree.mesh, part), 0);
+TEST(PrismTree, JointsLeavePrismsClosed) {
+    for (const PrismJoint joint : {PrismJoint::mitre, PrismJoint::weld}) {
+        PrismParams params;
+        params.depth = 8;
+        params.joint = joint;
+        params.radius_mm = 3;
+        params.taper = 0.9;
+        params.pointed = true;
+        const PrismTree tree = tree_of(params);
+        EXPECT_TRUE(oracles::is_closed(tree.mesh));
+        for (std::uint32_t part = 0; part < tree.mesh.parts.size(); ++part)
+            EXPECT_GT(oracles::volume(tree.mesh, part), 0);
+    }
 }
 
 TEST(PrismTree, CountsArePartsByOrder) {
