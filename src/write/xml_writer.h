@@ -14,7 +14,7 @@ namespace edaha {
 //   - Values and texts may hold anything: see append_xml(). Names are taken as they are; those of
 //     elements outlive their element.
 //   - An element holds either elements or one text, and its attributes come before these.
-// Cost: about 2 ns an attribute, and what the sink costs. Errors: what the sink throws.
+// Cost: a copy of its bytes, and what the sink costs. Errors: what the sink throws.
 class XmlWriter {
   public:
     // The sink outlives the writer.
