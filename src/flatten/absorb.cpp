@@ -10,6 +10,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/parallel.h"
+
 namespace edaha {
 namespace {
 
@@ -59,24 +61,38 @@ class Absorber {
             const std::uint32_t a = map_.face_of(h), b = map_.face_of(h + 1);
             if (result_.labels[a] == result_.labels[b]) join(root(a), root(b));
         }
+        for (std::uint32_t face = 0; face < parent_.size(); ++face)
+            parent_[face] = root(face);
     }
 
     // The lower index stays: face 0 is always its region's root.
     void join(std::uint32_t a, std::uint32_t b) { parent_[std::max(a, b)] = std::min(a, b); }
 
+    // Edges between regions, once.
+    struct Border {
+        std::uint32_t half_edge = 0;        // the first of its edge
+        std::uint32_t left = 0, right = 0;  // regions
+        double length = 0;
+    };
+
     void measure() {
+        borders_ =
+            gather<Border>(map_.edges.size(), [&](std::size_t e, std::vector<Border>& found) {
+                const auto h = static_cast<std::uint32_t>(2 * e);
+                const std::uint32_t a = parent_[map_.face_of(h)], b = parent_[map_.face_of(h + 1)];
+                if (a != b) found.push_back({h, a, b, edge_length(h)});
+            });
         area_.assign(map_.faces(), 0);
         border_.assign(map_.faces(), 0);
         sky_border_.assign(map_.faces(), 0);
         for (const PlanarMap::Loop& loop : map_.loops)
-            area_[root(loop.face)] += loop.area;
+            area_[parent_[loop.face]] += loop.area;
         area_[0] = std::numeric_limits<double>::infinity();
-        for (std::uint32_t h = 0; h < map_.next.size(); ++h) {
-            const std::uint32_t a = region_left_of(h), b = region_left_of(twin(h));
-            if (a == b) continue;
-            const double length = edge_length(h);
-            border_[a] += length;
-            if (is_background(b)) sky_border_[a] += length;
+        for (const Border& border : borders_) {
+            border_[border.left] += border.length;
+            border_[border.right] += border.length;
+            if (is_background(border.right)) sky_border_[border.left] += border.length;
+            if (is_background(border.left)) sky_border_[border.right] += border.length;
         }
     }
 
@@ -92,9 +108,9 @@ class Absorber {
         for (std::uint32_t face = 1; face < map_.faces(); ++face) {
             if (parent_[face] == face && is_small(face)) waiting_.insert({area_[face], face});
         }
-        for (std::uint32_t h = 0; h < map_.next.size(); ++h) {
-            const std::uint32_t a = region_left_of(h);
-            if (a != 0 && is_small(a) && a != region_left_of(twin(h))) edges_of_[a].push_back(h);
+        for (const Border& border : borders_) {
+            if (is_small(border.left)) edges_of_[border.left].push_back(border.half_edge);
+            if (is_small(border.right)) edges_of_[border.right].push_back(twin(border.half_edge));
         }
     }
 
@@ -150,10 +166,12 @@ class Absorber {
             result_.labels[face] = label_[region];
             result_.depth[face] = depth_[region];
         }
-        for (std::uint32_t e = 0; e < map_.edges.size(); ++e) {
-            const std::uint32_t a = map_.face_of(2 * e), b = map_.face_of(2 * e + 1);
+        for (const Border& border : borders_) {
+            const std::uint32_t h = border.half_edge;
+            const std::uint32_t a = map_.face_of(h), b = map_.face_of(h + 1);
             if (before[a].part == before[b].part) continue;
-            if (result_.labels[a].part == result_.labels[b].part) result_.line[e] = LineKind::none;
+            if (result_.labels[a].part == result_.labels[b].part)
+                result_.line[h / 2] = LineKind::none;
         }
     }
 
@@ -164,6 +182,7 @@ class Absorber {
     std::vector<FaceLabel> label_;       // a region, by its lowest face
     std::vector<float> depth_;
     std::vector<double> area_, border_, sky_border_;
+    std::vector<Border> borders_;
     std::vector<std::vector<std::uint32_t>> edges_of_;
     std::set<std::pair<double, std::uint32_t>> waiting_;
 };

@@ -2,18 +2,25 @@
 #include "flatten/arc_graph.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include <glm/geometric.hpp>
+
+#include "base/parallel.h"
 
 namespace edaha {
 namespace {
 
-double arc_length_of(const PlanarMap& map, std::span<const std::uint32_t> half_edges) {
-    double sum = 0;
-    for (const std::uint32_t h : half_edges)
-        sum += glm::distance(to_vec(map.nodes[map.origin(h)]), to_vec(map.nodes[map.target(h)]));
-    return sum;
+constexpr std::size_t kWorthThreads = 2000;
+
+ArcGraph::Ends ends_of(const PlanarMap& map, std::span<const std::uint32_t> half_edges) {
+    ArcGraph::Ends ends{map.origin(half_edges.front()), map.target(half_edges.back()), 0};
+    Vec2 at = to_vec(map.nodes[ends.start]);
+    for (const std::uint32_t h : half_edges) {
+        const Vec2 next = to_vec(map.nodes[map.target(h)]);
+        ends.length += glm::distance(at, next);
+        at = next;
+    }
+    return ends;
 }
 
 // Joins nodes over short arcs.
@@ -23,42 +30,47 @@ class Contractor {
         : graph_(graph), shortest_(params.shortest), is_outer_(params.is_outer) {}
 
     void contract() {
-        std::vector<std::uint32_t>& root = graph_.node_of;
-        root.resize(graph_.map.nodes.size());
-        std::iota(root.begin(), root.end(), 0U);
-        graph_.vanished.assign(graph_.arcs.arcs.size(), 0);
+        graph_.vanished.assign(graph_.ends.size(), 0);
         std::vector<std::uint32_t> shorts;
-        for (std::uint32_t a = 0; a < graph_.length.size(); ++a) {
-            if (graph_.length[a] < shortest_ && !graph_.arcs.arcs[a].closed) shorts.push_back(a);
+        for (std::uint32_t a = 0; a < graph_.ends.size(); ++a) {
+            if (graph_.length(a) < shortest_ && !graph_.arcs.arcs[a].closed) shorts.push_back(a);
         }
         std::stable_sort(shorts.begin(), shorts.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return graph_.length[a] < graph_.length[b];
+            return graph_.length(a) < graph_.length(b);
         });
-        measure(shorts);
+        find_clusters(shorts);
         for (const std::uint32_t a : shorts)
             contract(a);
-        for (std::uint32_t node = 0; node < root.size(); ++node)
-            root[node] = find(node);
-        for (std::uint32_t a = 0; a < graph_.length.size(); ++a) {  // loops where both ends met
-            if (graph_.length[a] < 3 * shortest_ && !graph_.arcs.arcs[a].closed &&
-                graph_.start_node({a, true}) == graph_.end_node({a, true})) {
+        for (std::uint32_t a = 0; a < graph_.ends.size(); ++a) {
+            ArcGraph::Ends& ends = graph_.ends[a];
+            ends.start = final_node(ends.start);
+            ends.end = final_node(ends.end);
+            // Loops where both ends met.
+            if (ends.start == ends.end && ends.length < 3 * shortest_ &&
+                !graph_.arcs.arcs[a].closed) {
                 graph_.vanished[a] = 1;
             }
         }
     }
 
   private:
+    // Nodes that became one, found by union; only ends of short arcs are in clusters.
     struct Cluster {
+        std::uint32_t root = 0;
+        std::uint32_t node = 0;  // stands for all
         GridBox box;
-        double longest = 0;  // of the arcs that end in the node that stands for it
+        double longest = 0;  // of the arcs that end in that node
         bool outer = false;  // lies on the background's border
     };
 
-    std::uint32_t find(std::uint32_t node) {
-        std::vector<std::uint32_t>& root = graph_.node_of;
-        while (root[node] != node)
-            node = root[node] = root[root[node]];
-        return node;
+    std::uint32_t find(std::uint32_t cluster) {
+        while (clusters_[cluster].root != cluster)
+            cluster = clusters_[cluster].root = clusters_[clusters_[cluster].root].root;
+        return cluster;
+    }
+    std::uint32_t final_node(std::uint32_t node) {
+        const std::uint32_t cluster = cluster_of_[node];
+        return cluster == kNone ? node : clusters_[find(cluster)].node;
     }
 
     bool borders_outside(std::uint32_t arc) const {
@@ -66,46 +78,46 @@ class Contractor {
         return is_outer_[graph_.map.face_of(h)] || is_outer_[graph_.map.face_of(twin(h))];
     }
 
-    // Only nodes of short arcs have clusters.
-    void measure(const std::vector<std::uint32_t>& shorts) {
+    void find_clusters(const std::vector<std::uint32_t>& shorts) {
         cluster_of_.assign(graph_.map.nodes.size(), kNone);
         for (const std::uint32_t a : shorts) {
-            for (const bool forward : {true, false}) {
-                const std::uint32_t node = graph_.start_node({a, forward});
+            for (const std::uint32_t node : {graph_.ends[a].start, graph_.ends[a].end}) {
                 if (cluster_of_[node] != kNone) continue;
                 cluster_of_[node] = static_cast<std::uint32_t>(clusters_.size());
-                Cluster cluster;
+                Cluster cluster{cluster_of_[node], node, {}, 0, false};
                 cluster.box.include(graph_.map.nodes[node]);
                 clusters_.push_back(cluster);
             }
         }
-        for (std::uint32_t a = 0; a < graph_.length.size(); ++a) {
-            for (const bool forward : {true, false}) {
-                const std::uint32_t cluster = cluster_of_[graph_.start_node({a, forward})];
+        for (std::uint32_t a = 0; a < graph_.ends.size(); ++a) {
+            const std::uint32_t start = cluster_of_[graph_.ends[a].start];
+            const std::uint32_t end = cluster_of_[graph_.ends[a].end];
+            if (start == kNone && end == kNone) continue;
+            const bool outer = borders_outside(a);
+            for (const std::uint32_t cluster : {start, end}) {
                 if (cluster == kNone) continue;
-                clusters_[cluster].longest = std::max(clusters_[cluster].longest, graph_.length[a]);
-                clusters_[cluster].outer |= borders_outside(a);
+                Cluster& c = clusters_[cluster];
+                c.longest = std::max(c.longest, graph_.length(a));
+                c.outer = c.outer || outer;
             }
         }
     }
 
     void contract(std::uint32_t arc) {
-        std::uint32_t a = find(graph_.start_node({arc, true}));
-        std::uint32_t b = find(graph_.start_node({arc, false}));
-        Cluster &first = clusters_[cluster_of_[a]], &second = clusters_[cluster_of_[b]];
-        GridBox box = first.box;
-        box.include(second.box.min);
-        box.include(second.box.max);
+        std::uint32_t a = find(cluster_of_[graph_.ends[arc].start]);
+        std::uint32_t b = find(cluster_of_[graph_.ends[arc].end]);
+        if (clusters_[b].longest > clusters_[a].longest) std::swap(a, b);
+        Cluster &kept = clusters_[a], &joined = clusters_[b];
+        GridBox box = kept.box;
+        box.include(joined.box.min);
+        box.include(joined.box.max);
         const GridVector size = box.max - box.min;
         if (double(std::max(size.x, size.y)) > 2 * shortest_) return;
-        if (a != b && first.outer && second.outer && !borders_outside(arc)) return;
+        if (a != b && kept.outer && joined.outer && !borders_outside(arc)) return;
         graph_.vanished[arc] = 1;
-        if (a == b) return;
-        if (second.longest > first.longest) std::swap(a, b);
-        Cluster& kept = clusters_[cluster_of_[a]];
         kept.box = box;
-        kept.outer = first.outer || second.outer;
-        graph_.node_of[b] = a;
+        kept.outer = kept.outer || joined.outer;
+        joined.root = a;
     }
 
     ArcGraph& graph_;
@@ -132,9 +144,11 @@ Vec2 leaving_direction(const ArcGraph& graph, ArcUse use, double window) {
 
 ArcGraph make_arc_graph(const PlanarMap& map, std::span<const std::uint32_t> kind_of_edge,
                         const ContractParams& params) {
-    ArcGraph graph{map, kind_of_edge, cut_arcs(map, kind_of_edge), {}, {}, {}};
-    for (const Arc& arc : graph.arcs.arcs)
-        graph.length.push_back(arc_length_of(map, graph.arcs.of(arc)));
+    ArcGraph graph{map, kind_of_edge, cut_arcs(map, kind_of_edge), {}, {}};
+    graph.ends.resize(graph.arcs.arcs.size());
+    for_each_index(graph.ends.size(), kWorthThreads, [&](std::size_t a) {
+        graph.ends[a] = ends_of(map, graph.arcs.of(graph.arcs.arcs[a]));
+    });
     Contractor(graph, params).contract();
     return graph;
 }

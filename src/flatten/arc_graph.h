@@ -24,8 +24,11 @@ struct ArcGraph {
     const PlanarMap& map;
     std::span<const std::uint32_t> kind_of_edge;  // as for cut_arcs()
     ArcSet arcs;
-    std::vector<double> length;          // an arc, along its edges, in steps
-    std::vector<std::uint32_t> node_of;  // a node of the map: the one that stands for it
+    struct Ends {
+        std::uint32_t start = 0, end = 0;  // nodes
+        double length = 0;                 // along its edges, in steps
+    };
+    std::vector<Ends> ends;              // an arc
     std::vector<std::uint8_t> vanished;  // an arc
 
     std::uint32_t kind(std::uint32_t arc) const {
@@ -42,8 +45,11 @@ struct ArcGraph {
         return twin(half_edge({use.arc, !use.forward}, 0));
     }
     std::size_t size(std::uint32_t arc) const { return arcs.of(arcs.arcs[arc]).size(); }
-    std::uint32_t start_node(ArcUse use) const { return node_of[map.origin(first_half_edge(use))]; }
-    std::uint32_t end_node(ArcUse use) const { return node_of[map.target(last_half_edge(use))]; }
+    std::uint32_t start_node(ArcUse use) const {
+        return use.forward ? ends[use.arc].start : ends[use.arc].end;
+    }
+    std::uint32_t end_node(ArcUse use) const { return start_node({use.arc, !use.forward}); }
+    double length(std::uint32_t arc) const { return ends[arc].length; }
 };
 
 struct ContractParams {

@@ -28,13 +28,21 @@ FitParams fit_params(const LabelledMap& map, const SeenRegions& regions,
     return fit;
 }
 
+std::size_t count_children(const Layer& layer) {
+    std::size_t count = 0;
+    for (const Element& element : layer.children)
+        count += std::get<Group>(element).children.size();
+    return count;
+}
+
 }  // namespace
 
 std::vector<Layer> draw_flat(LabelledMap map, std::span<const MeshPart> parts,
                              const FlattenParams& params, const FlattenInks& inks,
-                             const FlatPlace& place) {
+                             const FlatPlace& place, StepClock& clock) {
     map = absorb_small_regions(std::move(map), params.min_area_px2);
     const SeenRegions regions = find_regions(map);
+    clock.end_step("absorb", regions.rings.rings.size(), "rings");
     const std::vector<std::uint32_t> kinds = kept_edges(map, params.look);
     std::vector<std::uint8_t> is_outer(map.map.faces());
     for (std::size_t face = 0; face < is_outer.size(); ++face)
@@ -42,14 +50,22 @@ std::vector<Layer> draw_flat(LabelledMap map, std::span<const MeshPart> parts,
     const ArcGraph graph =
         make_arc_graph(map.map, kinds, {kShortestArc_px * map.steps_per_px, is_outer});
     const RunSet runs = join_arcs(graph, {kWindow_px * map.steps_per_px, 25});
+    clock.end_step("arcs", graph.arcs.arcs.size(), "arcs");
     const ArcCurves curves = fit_arcs(graph, runs, fit_params(map, regions, params));
+    clock.end_step("curves", curves.runs.size(), "curves");
     const double scale = place.mm_per_px;
     const Affine page_from_px(scale, 0, 0, scale, place.origin_mm.x, place.origin_mm.y);
     const FlatPicture picture{map, regions, graph, curves, parts, page_from_px, scale};
     std::vector<Layer> layers;
     const bool filled = params.look != FlatLook::lines && params.look != FlatLook::blueprint;
-    if (filled) layers.push_back(draw_fills(picture, params, inks));
-    if (params.look != FlatLook::fills) layers.push_back(draw_lines(picture, params, inks));
+    if (filled) {
+        layers.push_back(draw_fills(picture, params, inks));
+        clock.end_step("fills", layers.back().children.size(), "parts");
+    }
+    if (params.look != FlatLook::fills) {
+        layers.push_back(draw_lines(picture, params, inks));
+        clock.end_step("lines", count_children(layers.back()), "lines");
+    }
     return layers;
 }
 

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "flatten/clock.h"
 #include "flatten/flatten.h"
 #include "flatten/labelled_map.h"
 
@@ -16,10 +17,10 @@ struct FlatPlace {
 
 // A labelled map as layers, bottom first: "Fills" (a group a part, see fills.h), "Lines" (a group a
 // kind, see strokes.h); which of them, FlattenParams::look says. `parts` are the mesh's; with the
-// map's labels they give names, materials. The same
-// bytes with any number of threads.
+// map's labels they give names, materials. `clock` is told of each step.
+// The same bytes with any number of threads.
 std::vector<Layer> draw_flat(LabelledMap map, std::span<const MeshPart> parts,
                              const FlattenParams& params, const FlattenInks& inks,
-                             const FlatPlace& place);
+                             const FlatPlace& place, StepClock& clock);
 
 }  // namespace edaha

@@ -29,17 +29,19 @@ struct Area {
 
 // The rings of a labelling by label.
 struct Areas {
-    RegionRings rings;
+    const RegionRings& traced;
     std::vector<Area> areas;
 };
 
-Areas collect(RegionRings&& traced) {
-    Areas result;
-    result.rings = std::move(traced);
-    std::vector<std::uint32_t> order(result.rings.rings.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i)
-        order[i] = i;
-    const auto& rings = result.rings.rings;
+// Those of the labels that `wanted` accepts, in the order of labels.
+template <typename Wanted>
+Areas collect(const RegionRings& traced, const Wanted& wanted) {
+    Areas result{traced, {}};
+    const auto& rings = traced.rings;
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < rings.size(); ++i) {
+        if (wanted(rings[i].label)) order.push_back(i);
+    }
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         const auto key = [&](std::uint32_t i) {
             return std::tuple(rings[i].label, rings[i].area < 0, i);
@@ -86,22 +88,23 @@ class FillPainter {
     Layer paint() {
         Layer layer{"Fills", {}, {}};
         if (order_.parts.empty()) return layer;
-        trace();
-        for (Areas* areas : {&bases_, &tones_}) {
-            for_each_index(areas->areas.size(), kWorthThreads, [&](std::size_t i) {
-                areas->areas[i].path = path_of(*areas, areas->areas[i]);
-            });
-        }
+        measure_sides();
+        const RegionRings rings = part_rings();
+        std::vector<Area> bases = paths(collect(rings, [](std::uint32_t) { return true; }), true);
+        const auto is_no_base = [&](std::uint32_t code) {
+            const FaceLabel label = label_of(code);
+            return order_.time(label) != order_.time_of_base(label.part);
+        };
+        std::vector<Area> tones = paths(collect(picture_.regions.rings, is_no_base), false);
         std::size_t base = 0, tone = 0;
-        sort_by_time();
         for (const PaintOrder::Part& part : order_.parts) {
             Group group{id_of(part.part), {}, {}};
             const std::uint32_t last = order_.time_of_base(part.part) + 15;
-            for (; base < bases_.areas.size() && bases_.areas[base].time <= last; ++base)
-                add(group, bases_.areas[base], part, part.base);
-            for (; tone < tones_.areas.size() && tones_.areas[tone].time <= last; ++tone) {
-                const Area& area = tones_.areas[tone];
-                add(group, area, part, label_of(area.label).tone);
+            for (; base < bases.size() && bases[base].time <= last; ++base)
+                add(group, std::move(bases[base]), part, part.base);
+            for (; tone < tones.size() && tones[tone].time <= last; ++tone) {
+                const std::uint8_t band = label_of(tones[tone].label).tone;
+                add(group, std::move(tones[tone]), part, band);
             }
             add_to(layer, std::move(group));
         }
@@ -110,31 +113,38 @@ class FillPainter {
     }
 
   private:
-    void trace() {
+    RegionRings part_rings() const {
         std::vector<std::uint32_t> parts(map_.faces());
         for (std::size_t f = 0; f < parts.size(); ++f)
             parts[f] = picture_.map.labels[f].part == kNone ? 0 : picture_.map.labels[f].part + 1;
-        bases_ = collect(trace_region_rings(map_, parts));
-        for (Area& area : bases_.areas)
-            area.time = order_.time_of_base(area.label - 1);
-        tones_ = collect(RegionRings(picture_.regions.rings));
-        for (Area& area : tones_.areas)
-            area.time = order_.time(label_of(area.label));
-        const auto is_base = [&](const Area& area) {
-            const FaceLabel label = label_of(area.label);
-            return order_.parts[order_.rank[label.part] - 1].base == label.tone;
-        };
-        std::erase_if(tones_.areas, is_base);
+        return trace_region_rings(map_, parts);
+    }
+
+    // The areas with their paths, in the order in which they are painted.
+    std::vector<Area> paths(Areas areas, bool of_parts) const {
+        for_each_index(areas.areas.size(), kWorthThreads, [&](std::size_t i) {
+            Area& area = areas.areas[i];
+            area.time =
+                of_parts ? order_.time_of_base(area.label - 1) : order_.time(label_of(area.label));
+            area.path = path_of(areas.traced, area);
+        });
+        std::sort(areas.areas.begin(), areas.areas.end(), [](const Area& a, const Area& b) {
+            return std::pair(a.time, a.label) < std::pair(b.time, b.label);
+        });
+        return std::move(areas.areas);
     }
 
     Vec2 at(std::uint32_t node) const { return to_vec(map_.nodes[node]); }
 
-    void sort_by_time() {
-        for (Areas* areas : {&bases_, &tones_}) {
-            std::sort(areas->areas.begin(), areas->areas.end(), [](const Area& a, const Area& b) {
-                return std::pair(a.time, a.label) < std::pair(b.time, b.label);
-            });
-        }
+    // What is seen on both sides of each arc.
+    void measure_sides() {
+        sides_.resize(2 * picture_.graph.ends.size());
+        for_each_index(picture_.graph.ends.size(), kWorthThreads, [&](std::size_t a) {
+            const std::uint32_t h = picture_.graph.first_half_edge({std::uint32_t(a), true});
+            for (const std::uint32_t side : {0U, 1U}) {
+                sides_[2 * a + side] = {time_left_of(h ^ side), picture_.regions.width[h ^ side]};
+            }
+        });
     }
 
     std::uint32_t time_left_of(std::uint32_t h) const {
@@ -142,9 +152,8 @@ class FillPainter {
     }
 
     double growth(ArcUse use, std::uint32_t time) const {
-        const std::uint32_t h = twin(picture_.graph.first_half_edge(use));
-        if (time_left_of(h) <= time) return 0;
-        return std::min(trap_px_, 0.4 * double(picture_.regions.width[h]));
+        const Side& right = sides_[2 * use.arc + (use.forward ? 1 : 0)];
+        return right.time > time ? std::min(trap_px_, 0.4 * double(right.width)) : 0;
     }
 
     // How far an area painted at `time` may spread round the node that `spoke` leaves, on the side
@@ -197,12 +206,11 @@ class FillPainter {
         return grow_ring(ring);
     }
 
-    Path path_of(const Areas& areas, const Area& area) const {
+    Path path_of(const RegionRings& traced, const Area& area) const {
         Path path;
         for (const std::uint32_t i : area.rings) {
-            const RegionRings::Ring& ring = areas.rings.rings[i];
-            const std::vector<ArcUse> uses =
-                arcs_of_ring(picture_.graph.arcs, areas.rings.of(ring));
+            const RegionRings::Ring& ring = traced.rings[i];
+            const std::vector<ArcUse> uses = arcs_of_ring(picture_.graph.arcs, traced.of(ring));
             Path outline_path;
             append_pieces(outline_path, outline(uses, area.time), picture_.page_from_px);
             if (outline_path.verbs.size() < 3) continue;
@@ -229,12 +237,11 @@ class FillPainter {
 
     std::string id_of(std::uint32_t part) const { return picture_.parts[part].name; }
 
-    void add(Group& group, const Area& area, const PaintOrder::Part& part,
-             std::uint8_t tone) const {
+    void add(Group& group, Area&& area, const PaintOrder::Part& part, std::uint8_t tone) const {
         if (area.path.empty()) return;
         Paint paint;
         paint.fill = colour(part, tone);
-        group.children.emplace_back(Shape{"", area.path, paint});
+        group.children.emplace_back(Shape{"", std::move(area.path), paint});
     }
 
     // The most frequent colour is the layer's: shapes inherit it.
@@ -283,7 +290,11 @@ class FillPainter {
     int bands_;
     double trap_px_;
     PaintOrder order_;
-    Areas bases_, tones_;
+    struct Side {
+        std::uint32_t time = 0;
+        float width = 0;
+    };
+    std::vector<Side> sides_;  // of an arc: left, right
 };
 
 }  // namespace

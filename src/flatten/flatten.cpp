@@ -18,15 +18,6 @@ FlatPlace place_of(const View& view, const FlattenParams& params) {
     return place;
 }
 
-std::size_t count_elements(const std::vector<Element>& elements) {
-    std::size_t count = elements.size();
-    for (const Element& element : elements) {
-        if (const auto* group = std::get_if<Group>(&element))
-            count += count_elements(group->children);
-    }
-    return count;
-}
-
 }  // namespace
 
 Flattened flatten(const Mesh& mesh, const FlattenParams& params, const FlattenInks& inks) {
@@ -36,11 +27,7 @@ Flattened flatten(const Mesh& mesh, const FlattenParams& params, const FlattenIn
     SeenMesh seen = see_mesh(mesh, params, clock);
     const FlatPlace place = place_of(seen.view, params);
     result.frame.mm_per_unit = seen.view.steps_per_unit * place.mm_per_px / kStepsPerPx;
-    result.layers = draw_flat(std::move(seen.map), mesh.parts, params, inks, place);
-    std::size_t elements = 0;
-    for (const Layer& layer : result.layers)
-        elements += count_elements(layer.children);
-    clock.end_step("draw", elements, "elements");
+    result.layers = draw_flat(std::move(seen.map), mesh.parts, params, inks, place, clock);
     result.steps = clock.take();
     return result;
 }

@@ -26,8 +26,9 @@ FlattenInks inks() {
 }
 
 std::vector<Layer> draw(std::span<const Card> cards, const FlattenParams& params) {
+    StepClock clock;
     return draw_flat(scenes::map_of(cards), scenes::parts_of(cards), params, inks(),
-                     {{0, 0}, kMmPerPx});
+                     {{0, 0}, kMmPerPx}, clock);
 }
 
 // Winding number of a path's chords round a point.
