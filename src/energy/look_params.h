@@ -5,7 +5,7 @@ namespace edaha {
 
 // How the wood of a skeleton is drawn. All of it is ours [E].
 enum class Look { solid, silhouette, outline, line };
-enum class Ground { none, shadow, mound };
+enum class Ground { none, shadow, mound, water };
 
 struct LookParams {
     Look wood = Look::solid;

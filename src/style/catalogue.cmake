@@ -43,6 +43,8 @@ set(EDAHA_LEAVES
   fir-spray
   ginkgo
   laurel
+  mangrove
+  mangrove-propagule
   maple
   oak
   pine-tuft

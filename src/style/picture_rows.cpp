@@ -67,7 +67,7 @@ std::vector<Parameter> look_rows() {
     rows.add(&P::marks, {"marks", {0, 100}, kOurs, "bark marks on 10 mm of limb", {0, 8}});
     rows.add(&P::mark_min_width_mm, {"mark-min-width", mm(0, 1000), kOurs,
         "limbs thinner than this bear no marks", {0.5, 4}});
-    rows.add(&P::ground, {"ground", {"none", "shadow", "mound"}, kOurs,
+    rows.add(&P::ground, {"ground", {"none", "shadow", "mound", "water"}, kOurs,
         "what the trunk stands on"});
     rows.add(&P::ground_width, {"ground-width", {0, 10}, kOurs,
         "width of the ground, part of the crown's", {0.3, 1.5}});

@@ -44,7 +44,8 @@ const std::map<std::string, std::string> kMessages = {
      "@everything.xml:2:11: growth.energy: 'abc' is not a number (expected 1 … 1e6)\n"
      "@everything.xml:2:24: growth.typ: no such parameter (did you mean 'type'?)\n"
      "@everything.xml:2:32: text '5' has no place here\n"
-     "@everything.xml:3:9: look.ground: 'hill' is not known (expected none, shadow or mound)\n"
+     "@everything.xml:3:9: look.ground: 'hill' is not known (expected none, shadow, mound or "
+     "water)\n"
      "@everything.xml:4:4: leafs: no such group (did you mean 'leaf'?)\n"
      "@everything.xml:5:12: palette.leaf: '#12' is not a colour (expected #rrggbb)"},
     {"given-twice",

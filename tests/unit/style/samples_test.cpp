@@ -62,7 +62,8 @@ TEST(Samples, RangesFollowEachOtherOrWiden) {
 }
 
 TEST(Samples, OfChoicesAreItsNames) {
-    EXPECT_EQ(samples_of("look.ground"), (std::vector<std::string>{"none", "shadow", "mound"}));
+    EXPECT_EQ(samples_of("look.ground"),
+              (std::vector<std::string>{"none", "shadow", "mound", "water"}));
     EXPECT_EQ(samples_of("branch.opposite"), (std::vector<std::string>{"no", "yes"}));
 }
 
