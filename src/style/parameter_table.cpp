@@ -28,6 +28,7 @@ Table make_table() {
         {"prism", "trees of prisms", prism_rows, true},
         {"foliage", "masses of leaves on prisms", foliage_rows, true},
         {"proproot", "prop roots of mangroves", proproot_rows, true},
+        {"flatten", "how meshes become drawings", flatten_rows, true},
         {"look", "how the wood is drawn", look_rows},
         {"leaf", "leaves", leaf_rows},
         {"blossom", "blossom", blossom_rows},

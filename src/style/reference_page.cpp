@@ -16,6 +16,9 @@ an attribute of it, `<growth energy="400"/>`; on the command line it is `--set g
 Leaves, blossom and fruit have the same parameters. "Paper" is Mama and Nakajima, "Tree Drawing
 System for Illustration based on Energy Model"; what Edaha adds to it has the source "Edaha".
 
+The root's attribute `models` says what grows: `energy` (if it is left out), `prism`, `prop-root`, or
+prop roots below another one, `prop-root energy`.
+
 - A *number* may have an exponent: `1e6`. Lengths are millimetres, angles are degrees.
 - A *range* is `0.1 0.9` or `0.1..0.9`: a value is drawn from it each time. One number is a range too.
 - A *list by order* is `0 20 45`: for the trunk, its limbs, theirs; the last holds for all above.

@@ -76,10 +76,13 @@ std::vector<std::string> samples(const Parameter& parameter) {
     if (range.low == range.high) return {};
     if (std::holds_alternative<Interval>(parameter.field)) return intervals(range);
     const bool whole = std::holds_alternative<Integer>(parameter.field);
-    return five([&](int i) {
+    std::vector<std::string> values = five([&](int i) {
         const double value = stop(range, i);
         return plain(whole ? std::round(value) : value);
     });
+    // There may be fewer whole numbers than that.
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
 }
 
 }  // namespace edaha

@@ -108,7 +108,10 @@ void append_tree(xml_node schema) {
     for (const char* text : {"title", "description", "extends"}) {
         append(type, "xs:attribute", "name", text).append_attribute("type") = "xs:string";
     }
-    restrict_to(append(type, "xs:attribute", "name", "model"), {"energy"});
+    const xml_node models = append(append(type, "xs:attribute", "name", "models"), "xs:simpleType");
+    const xml_node list = append(append(models, "xs:restriction"), "xs:simpleType");
+    restrict_to(append(list, "xs:list"), {std::begin(kModelNames), std::end(kModelNames)});
+    append(models.first_child(), "xs:minLength", "value", "1");
     const xml_node unique = append(tree, "xs:unique", "name", "palette-names");
     append(unique, "xs:selector", "xpath", "palette");
     append(unique, "xs:field", "xpath", "@name");

@@ -7,9 +7,11 @@
 #include "drawing/palette.h"
 #include "energy/growth_params.h"
 #include "energy/look_params.h"
+#include "flatten/flatten_params.h"
 #include "ornament/ornament_params.h"
 #include "prism/prism_params.h"
 #include "proproot/prop_root_params.h"
+#include "style/models.h"
 
 namespace edaha {
 
@@ -25,9 +27,11 @@ struct Style {
     std::string name;         // as in a file name: "cherry"
     std::string title;        // as on a page: "Cherry"
     std::string description;  // a sentence
+    std::vector<Model> models{Model::energy};
     EnergyParams energy;
     PrismParams prism;
     PropRootParams prop_root;
+    FlattenParams flatten;
     LookParams look;
     OrnamentParams leaf;
     OrnamentParams blossom;

@@ -10,6 +10,7 @@
 
 #include "base/locate.h"
 #include "base/nearest_name.h"
+#include "base/syntax_error.h"
 #include "style/value.h"
 #include "style/xml_syntax.h"
 #include "style/xml_text.h"
@@ -161,12 +162,12 @@ class SheetReader {
             sheet_.extends = value;
             sheet_.extends_place = place_of_offset(text_, offset, source_.origin);
             if (value.empty()) say(offset, "tree.extends: is empty (expected a style)");
-        } else if (name == "model") {
-            check_model(offset, value);
+        } else if (name == "models") {
+            read_models(offset, value);
         } else if (name != "xmlns:xsi" && name != "xsi:noNamespaceSchemaLocation") {
             say(offset, fmt::format("tree.{}: no such attribute{}", name,
                                     did_you_mean(name, {"name", "title", "description", "extends",
-                                                        "model"})));
+                                                        "models"})));
         }
     }
 
@@ -174,15 +175,12 @@ class SheetReader {
         return in_quotes(value) + " is not a name (expected small letters, digits and hyphens)";
     }
 
-    void check_model(std::size_t offset, std::string_view value) {
-        const std::vector<std::string> planned = {"surface", "prism", "prop-root"};
-        if (value == "energy") return;
-        if (std::ranges::count(planned, value) > 0) {
-            say(offset,
-                fmt::format("tree.model: {} is not built yet (expected energy)", in_quotes(value)));
-        } else {
-            say(offset,
-                fmt::format("tree.model: {} is not known (expected energy)", in_quotes(value)));
+    // Where in the value it is wrong is not told: it is short, and may hold references.
+    void read_models(std::size_t offset, std::string_view value) {
+        try {
+            sheet_.models = parse_models(value);
+        } catch (const SyntaxError& error) {
+            say(offset, std::string("tree.models: ") + error.what());
         }
     }
 

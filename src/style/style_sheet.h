@@ -25,6 +25,7 @@ struct StyleSheet {
     std::string name;
     std::string title;
     std::string description;
+    std::vector<Model> models;  // empty: as in what it extends
     std::string extends;
     Place extends_place;
     std::vector<Value> values;

@@ -130,8 +130,10 @@ Style read_style(const SourceText& source, const Catalogue& catalogue) {
     style.name = chain.front().sheet.name;
     style.title = chain.front().sheet.title;
     style.description = chain.front().sheet.description;
-    for (auto link = chain.rbegin(); link != chain.rend(); ++link)
+    for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
+        if (!link->sheet.models.empty()) style.models = link->sheet.models;
         apply(style, link->sheet.values);
+    }
     make_canonical(style);
     for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
         for (const StyleSheet::PaletteSheet& palette : link->sheet.palettes)
@@ -146,6 +148,8 @@ std::string to_xml(const Style& style) {
     tree.append_attribute("name") = style.name.c_str();
     tree.append_attribute("title") = style.title.c_str();
     tree.append_attribute("description") = style.description.c_str();
+    if (style.models != Style().models)
+        tree.append_attribute("models") = models_text(style.models).c_str();
     for (const ParameterGroup& group : parameter_groups()) {
         if (group.of_model && is_default(style, group)) continue;
         pugi::xml_node node = tree.append_child(group.name.c_str());

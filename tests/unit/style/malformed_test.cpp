@@ -54,8 +54,10 @@ const std::map<std::string, std::string> kMessages = {
     {"latin-1", "@latin-1.xml:2:14: byte 0xE9 is not XML text in UTF-8"},
     {"missing-base",
      "@missing-base.xml:1:16: tree.extends: cannot read '@gone.xml': No such file or directory"},
-    {"model-not-built",
-     "@model-not-built.xml:1:16: tree.model: 'surface' is not built yet (expected energy)"},
+    {"models-together",
+     "@models-together.xml:1:16: tree.models: energy and prism don't go together"},
+    {"no-model",
+     "@no-model.xml:1:16: tree.models: names no model (expected energy, prism or prop-root)"},
     {"no-name", "@no-name.xml:1:2: tree.name: is missing"},
     {"not-a-number",
      "@not-a-number.xml:3:11: growth.energy: 'abc' is not a number (expected 1 … 1e6)"},
@@ -92,7 +94,8 @@ const std::map<std::string, std::string> kMessages = {
      "@unknown-leaf.xml:2:9: leaf.shape: there is no leaf 'oka' (did you mean 'oak'?)\n"
      "@unknown-leaf.xml:3:10: fruit.shape: there is no leaf './nut.svg'"},
     {"unknown-model",
-     "@unknown-model.xml:1:16: tree.model: 'fractal' is not known (expected energy)"},
+     "@unknown-model.xml:1:16: tree.models: 'prisms' is not known (expected energy, prism or "
+     "prop-root) (did you mean 'prism'?)"},
     {"unknown-parameter",
      "@unknown-parameter.xml:2:11: growth.enery: no such parameter (did you mean 'energy'?)\n"
      "@unknown-parameter.xml:2:21: growth.colour: no such parameter"},

@@ -51,7 +51,7 @@ TEST_F(Schema, RefusesWhatTheReaderRefuses) {
     for (const char* name :
          {"not-a-number", "out-of-range", "not-whole", "broken-range", "broken-colour",
           "unknown-choice", "unknown-flag", "unknown-group", "unknown-parameter",
-          "unknown-attribute", "unknown-model", "no-name", "bad-name", "palette-twice",
+          "unknown-attribute", "unknown-model", "no-model", "no-name", "bad-name", "palette-twice",
           "text-inside", "element-inside", "wrong-root"}) {
         const auto xml =
             test::read_whole(TESTS_DIR "/unit/style/malformed/" + std::string(name) + ".xml");

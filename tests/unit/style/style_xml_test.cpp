@@ -219,5 +219,14 @@ TEST(StyleXml, ADefaultStyleIsAlreadyCanonicalOnceRead) {
     EXPECT_NEAR(style.leaf.fan_rad, Style().leaf.fan_rad, 1e-15);
 }
 
+TEST(StyleXml, ModelsAreInheritedAndWritten) {
+    Style style = read("<tree name='x' models=' prop-root\nenergy '/>");
+    EXPECT_EQ(style.models, (std::vector<Model>{Model::prop_root, Model::energy}));
+    EXPECT_NE(to_xml(style).find(" models=\"prop-root energy\""), std::string::npos);
+    EXPECT_EQ(read(to_xml(style)).models, style.models);
+    style.models = {Model::energy};
+    EXPECT_EQ(to_xml(style).find("models"), std::string::npos) << "files of old stay as they are";
+}
+
 }  // namespace
 }  // namespace edaha
