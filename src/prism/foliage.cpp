@@ -21,6 +21,8 @@ constexpr double kBallBelow = 0.4;
 // A tier is hollow from below by so much of its height; every other corner of its rim is drawn in
 // and up by so much of its radius, as boughs end. More makes stars, none makes lampshades.
 constexpr double kTierHollow = 0.2, kTierNotch = 0.14;
+// The last tier is higher than others by so much, and so comes to a point.
+constexpr double kCrown = 1.6;
 // A spray is widest so far along its branch; a leaf's outline.
 constexpr double kSprayWidest = 0.4;
 // The cone at the end of a trunk with sprays begins so many lengths of the last prism before it.
@@ -63,7 +65,7 @@ class Masses {
                 if (prism.last) return ball(prism);
                 break;
             case FoliageShape::tiers:
-                if (trunk) return tier(prism, prism.origin, params_.stretch * prism.length);
+                if (trunk) return tier(prism);
                 break;
             case FoliageShape::sprays:
                 if (prism.last) return trunk ? leader(prism) : spray(prism);
@@ -95,19 +97,24 @@ class Masses {
         return body;
     }
 
-    // In proportion to its prism: narrower up the trunk.
-    Body tier(const Prism& prism, Vec3 from, double height) const {
+    Body tier(const Prism& prism) const {
+        const double crown = prism.last ? kCrown : 1;
+        return cone(prism, prism.origin, params_.stretch * prism.length * crown);
+    }
+
+    Body leader(const Prism& last) const {
+        const double height = (1 + kLeader) * last.length * params_.stretch;
+        return cone(last, last.tip() - kLeader * last.length * last.direction(), height);
+    }
+
+    // As wide as its prism is long: narrower up the trunk.
+    Body cone(const Prism& prism, Vec3 from, double height) const {
         const double r = radius(prism) * prism.length / prisms_[0].length;
         const Mat3& frame = prism.frame;
         return {from + kTierHollow * height * frame[1],
                 from + height * frame[1],
                 {{from, frame[0] * r, -frame[2] * r, false, true}},
                 draw(prism, 1)};
-    }
-
-    Body leader(const Prism& last) const {
-        const double height = (1 + kLeader) * last.length * params_.stretch;
-        return tier(last, last.tip() - kLeader * last.length * last.direction(), height);
     }
 
     // Along the limb that ends here, from where that left another; as it bends.
