@@ -10,7 +10,7 @@
 
 #include "base/keyed_random.h"
 #include "flatten/box_pairs.h"
-#include "meshes.h"
+#include "support/meshes.h"
 
 namespace edaha {
 namespace {

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "id_buffer.h"
-#include "meshes.h"
+#include "support/id_buffer.h"
+#include "support/meshes.h"
 
 namespace edaha {
 namespace {
@@ -53,7 +53,10 @@ double length_px(const LabelledMap& map, LineKind kind) {
 
 void expect_agreement(const Mesh& mesh, const FlattenParams& params, int size) {
     const SeenMesh seen = see(mesh, params);
-    const Disagreement d = compare(paint_depth(mesh, seen.view, size), paint_map(seen.map, size));
+    const View fine = project(mesh, params.camera, kFine * params.resolution);
+    const Disagreement d =
+        compare(paint_depth(mesh, seen.view, size), paint_depth(mesh, fine, kFine * size),
+                paint_map(seen.map, size));
     EXPECT_GT(d.covered, 1000U);
     EXPECT_LE(double(d.differ), 0.0003 * double(d.covered)) << d.differ << " of " << d.covered;
     EXPECT_EQ(d.far, 0U);

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "meshes.h"
+#include "support/meshes.h"
 
 namespace edaha {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "meshes.h"
+#include "support/meshes.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "id_buffer.h"
+#include "support/id_buffer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +66,16 @@ class DepthPainter {
     std::vector<double> depth_;
 };
 
+// Whether the part is anywhere in the pixel or so many pixels round it.
+bool is_within(const IdBuffer& fine, int x, int y, int reach, std::uint32_t part) {
+    for (int fy = kFine * (y - reach); fy < kFine * (y + reach + 1); ++fy) {
+        for (int fx = kFine * (x - reach); fx < kFine * (x + reach + 1); ++fx) {
+            if (fine.at(fx, fy) == part) return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 IdBuffer paint_depth(const Mesh& mesh, const View& view, int size) {
@@ -102,7 +112,7 @@ IdBuffer paint_map(const LabelledMap& map, int size) {
     return buffer;
 }
 
-Disagreement compare(const IdBuffer& truth, const IdBuffer& other) {
+Disagreement compare(const IdBuffer& truth, const IdBuffer& fine, const IdBuffer& other) {
     Disagreement result;
     for (int y = 0; y < truth.size; ++y) {
         for (int x = 0; x < truth.size; ++x) {
@@ -110,10 +120,8 @@ Disagreement compare(const IdBuffer& truth, const IdBuffer& other) {
             if (part != kNone) ++result.covered;
             if (part == other.at(x, y)) continue;
             ++result.differ;
-            bool near = false;
-            for (const auto& [dx, dy] : {std::pair(-1, 0), {1, 0}, {0, -1}, {0, 1}})
-                near = near || truth.at(x + dx, y + dy) == other.at(x, y);
-            if (!near) ++result.far;
+            if (!is_within(fine, x, y, 1, other.at(x, y))) ++result.far;
+            if (!is_within(fine, x, y, 2, other.at(x, y))) ++result.very_far;
         }
     }
     return result;

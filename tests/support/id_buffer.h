@@ -27,9 +27,12 @@ IdBuffer paint_map(const LabelledMap& map, int size);
 
 struct Disagreement {
     std::size_t covered = 0, differ = 0;
-    std::size_t far = 0;  // that differ, and have no other part within a pixel in `truth`
+    // That differ, and show what is nowhere to be seen within one pixel, or two, of them.
+    std::size_t far = 0, very_far = 0;
 };
 
-Disagreement compare(const IdBuffer& truth, const IdBuffer& other);
+// `fine` is the truth again with kFine times the pixels a side, so that it has thin slivers too.
+inline constexpr int kFine = 4;
+Disagreement compare(const IdBuffer& truth, const IdBuffer& fine, const IdBuffer& other);
 
 }  // namespace edaha::test
