@@ -28,7 +28,7 @@ struct SvgReport {
 // Coordinates are rounded, each for itself; matrices and symbols have the decimals that make them
 // as exact on the page.
 //   With `expand`, the width of a stroke in an instance that is squeezed becomes its mean width.
-// Cost: about 4 ns a byte; no more than a path and 64 KB stand in memory. Errors: what `sink`
+// Cost: about 2 ns a byte; no more than a path and 64 KB stand in memory. Errors: what `sink`
 // throws.
 SvgReport write_svg(const Drawing& drawing, const SvgParams& params, const Sink& sink);
 
