@@ -89,6 +89,19 @@ RC_GTEST_PROP(PrismProperty, OverlapAgreesWithSeparatingAxes, ()) {
     RC_ASSERT(overlap(b.corners, a.corners) == (gap < 0));
 }
 
+// Bent sides count as flat ones outside of them: none that reach into each other are missed.
+RC_GTEST_PROP(PrismProperty, NoOverlapOfWeldedPrismsIsMissed, ()) {
+    Prism a = any_prism(), b = any_prism();
+    b.origin = a.origin + 0.3 * b.origin;  // else few would meet
+    for (Prism* prism : {&a, &b}) {
+        Prism parent = *prism;
+        parent.frame = paper_frame(any_direction());
+        prism->corners = welded_corners(*prism, parent);
+    }
+    RC_PRE(oracles::gap(a.corners, b.corners) < -1e-4);
+    RC_ASSERT(overlap(a.corners, b.corners));
+}
+
 RC_GTEST_PROP(PrismProperty, MitredPrismsKeepFlatSides, ()) {
     const Prism parent = any_prism();
     Prism prism = any_prism();

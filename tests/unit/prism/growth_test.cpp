@@ -261,6 +261,61 @@ TEST(PrismGrowth, TurningFindsRoomForMore) {
     EXPECT_LT(dropped[1], dropped[0]);
 }
 
+TEST(PrismGrowth, TheBoleGoesStraightOn) {
+    PrismParams params = only(&PrismParams::two_way);
+    params.bole = 3;
+    std::vector<std::size_t> by_depth(8);
+    params.depth = 7;
+    for (const Prism& prism : grow(params, random_of(1)).prisms)
+        ++by_depth[prism.depth];
+    EXPECT_EQ(by_depth, (std::vector<std::size_t>{0, 1, 1, 1, 1, 2, 4, 8}));
+}
+
+TEST(PrismGrowth, WanderingStaysWithinItsAngle) {
+    PrismParams params = only(&PrismParams::straight);
+    params.depth = 300;
+    params.length_power = 0;
+    params.wander_rad = 0.2;
+    const GrownPrisms tree = grow(params, random_of(1));
+    double most = 0;
+    for (const Prism& prism : tree.prisms) {
+        if (prism.parent < 0) continue;
+        const double cosine = glm::dot(prism.direction(), parent_of(tree, prism).direction());
+        most = std::max(most, std::acos(cosine));
+    }
+    EXPECT_LE(most, 0.2 + 1e-9);
+    EXPECT_GT(most, 0.19);
+}
+
+TEST(PrismGrowth, LiftDrawsBranchesUpAndDown) {
+    PrismParams params = only(&PrismParams::two_way);
+    const auto mean_rise = [&](double lift) {
+        params.lift = lift;
+        double sum = 0;
+        const auto prisms = grow(params, random_of(1)).prisms;
+        for (const Prism& prism : prisms)
+            sum += prism.direction().y;
+        return sum / static_cast<double>(prisms.size());
+    };
+    EXPECT_LT(mean_rise(-0.3), mean_rise(0) - 0.1);
+    EXPECT_GT(mean_rise(0.3), mean_rise(0) + 0.1);
+}
+
+TEST(PrismGrowth, NothingEndsBelowTheGround) {
+    PrismParams params = only(&PrismParams::two_way);
+    params.lift = -0.5;
+    params.interference = true;
+    const auto lowest = [&] {
+        double low = 1e9;
+        for (const Prism& prism : grow(params, random_of(1)).prisms)
+            low = std::min(low, prism.tip().y);
+        return low;
+    };
+    EXPECT_LT(lowest(), 50);
+    params.ground_mm = 50;
+    EXPECT_GE(lowest(), 50);
+}
+
 TEST(PrismGrowth, LengthsStayWithinTheirSpread) {
     PrismParams params = only(&PrismParams::two_way);
     params.depth = 9;
