@@ -18,6 +18,15 @@ FlatPlace place_of(const View& view, const FlattenParams& params) {
     return place;
 }
 
+FlatFrame frame_of(const View& view, const FlatPlace& place) {
+    return {view.steps_per_unit * place.mm_per_px / kStepsPerPx,
+            view.right,
+            view.up,
+            view.to_eye,
+            view.middle,
+            view.distance};
+}
+
 }  // namespace
 
 Flattened flatten(const Mesh& mesh, const FlattenParams& params, const FlattenInks& inks) {
@@ -26,7 +35,7 @@ Flattened flatten(const Mesh& mesh, const FlattenParams& params, const FlattenIn
     StepClock clock;
     SeenMesh seen = see_mesh(mesh, params, clock);
     const FlatPlace place = place_of(seen.view, params);
-    result.frame.mm_per_unit = seen.view.steps_per_unit * place.mm_per_px / kStepsPerPx;
+    result.frame = frame_of(seen.view, place);
     result.layers = draw_flat(std::move(seen.map), mesh.parts, params, inks, place, clock);
     result.steps = clock.take();
     return result;

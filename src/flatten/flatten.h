@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drawing/drawing.h"
+#include "flatten/flat_frame.h"
 #include "flatten/flatten_params.h"
 #include "mesh/mesh.h"
 
@@ -16,12 +17,6 @@ struct FlattenInks {
     Colour line{0x3a, 0x2e, 0x28};
     Colour hidden{0x8a, 0x96, 0xa8};
     Colour paper{0xfb, 0xf7, 0xee};
-};
-
-// Where the picture lies: page_mm = origin_mm + mm_per_unit * (right, -up) for orthographic views.
-struct FlatFrame {
-    Vec2 origin_mm{0};  // of the world's origin
-    double mm_per_unit = 1;
 };
 
 struct StepReport {

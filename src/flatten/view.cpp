@@ -42,7 +42,7 @@ class Eye {
         to_eye = {sin_az * cos_el, sin_el, cos_az * cos_el};
         right = {cos_az, 0, -sin_az};
         up = glm::cross(to_eye, right);
-        if (perspective_) distance_ = distance(mesh.points, camera.field_of_view_rad);
+        if (perspective_) distance_ = distance_to_see(mesh.points, camera.field_of_view_rad);
     }
 
     Vec3 see(Vec3 point) const {
@@ -53,11 +53,14 @@ class Eye {
         return {seen.x * nearness, seen.y * nearness, -distance_ * nearness};
     }
 
+    Vec3 middle() const { return middle_; }
+    double distance() const { return distance_; }  // 0: orthographic
+
     Vec3 right, up, to_eye;
 
   private:
     // From the middle, so that a sphere round all points just fills the field of view.
-    double distance(std::span<const Vec3> points, double field_of_view_rad) const {
+    double distance_to_see(std::span<const Vec3> points, double field_of_view_rad) const {
         double radius = 0;
         for (const Vec3& p : points)
             radius = std::max(radius, glm::distance(p, middle_));
@@ -86,6 +89,7 @@ View project(const Mesh& mesh, const CameraParams& camera, double resolution) {
     const double longer = std::max({size.x, size.y, size.z / 2, 1e-12});
     View view;
     view.right = eye.right, view.up = eye.up, view.to_eye = eye.to_eye;
+    view.middle = eye.middle(), view.distance = eye.distance();
     view.steps_per_unit = resolution * kStepsPerPx / longer;
     const Vec3 origin = eye.see(Vec3(0)) - middle;
     view.origin = Vec2(origin.x, origin.y) * view.steps_per_unit;

@@ -36,6 +36,8 @@ struct View {
     double steps_per_unit = 1;        // in the middle of the mesh
     Vec2 origin{0};                   // where the world's origin is seen, in steps
     Vec3 right{1, 0, 0}, up{0, 1, 0}, to_eye{0, 0, 1};
+    Vec3 middle{0};       // of the mesh
+    double distance = 0;  // perspective: of the eye from there
 };
 
 // The longer side of what is seen spans `resolution` pixels, its middle is the view's origin. In
