@@ -20,11 +20,13 @@ constexpr double kThinnest_px = 0.2;
 
 class Absorber {
   public:
-    Absorber(LabelledMap map, double min_area_px2)
+    // Lines part regions, too, if asked: then only their edges go, no label changes.
+    Absorber(LabelledMap map, double min_area_px2, double thinnest_px, bool by_lines)
         : result_(std::move(map)),
           map_(result_.map),
           min_area_(min_area_px2 * result_.steps_per_px * result_.steps_per_px),
-          thinnest_(kThinnest_px * result_.steps_per_px) {}
+          thinnest_(thinnest_px * result_.steps_per_px),
+          by_lines_(by_lines) {}
 
     LabelledMap absorb() {
         label_ = result_.labels;
@@ -37,7 +39,7 @@ class Absorber {
             waiting_.erase(waiting_.begin());
             dissolve(region);
         }
-        relabel();
+        by_lines_ ? erase_lines() : relabel();
         return std::move(result_);
     }
 
@@ -59,7 +61,8 @@ class Absorber {
         std::iota(parent_.begin(), parent_.end(), 0U);
         for (std::uint32_t h = 0; h < map_.next.size(); h += 2) {
             const std::uint32_t a = map_.face_of(h), b = map_.face_of(h + 1);
-            if (result_.labels[a] == result_.labels[b]) join(root(a), root(b));
+            const bool parted = by_lines_ && result_.line[h / 2] < LineKind::tone;
+            if (result_.labels[a] == result_.labels[b] && !parted) join(root(a), root(b));
         }
         for (std::uint32_t face = 0; face < parent_.size(); ++face)
             parent_[face] = root(face);
@@ -98,8 +101,8 @@ class Absorber {
 
     bool is_small(std::uint32_t region) const {
         if (area_[region] < min_area_) return true;
-        return 2 * area_[region] < thinnest_ * border_[region] &&
-               2 * sky_border_[region] < border_[region];
+        if (2 * area_[region] >= thinnest_ * border_[region]) return false;
+        return by_lines_ || 2 * sky_border_[region] < border_[region];
     }
 
     // Only small regions need to know their half-edges.
@@ -120,7 +123,8 @@ class Absorber {
         std::vector<std::pair<std::uint32_t, double>> shares;
         for (const std::uint32_t h : edges_of_[region]) {
             const std::uint32_t other = region_left_of(twin(h));
-            if (other != region) shares.emplace_back(other, edge_length(h));
+            if (other == region || (by_lines_ && label_[other] != label_[region])) continue;
+            shares.emplace_back(other, edge_length(h));
         }
         std::sort(shares.begin(), shares.end());
         std::uint32_t best = kNone;
@@ -175,9 +179,17 @@ class Absorber {
         }
     }
 
+    void erase_lines() {
+        for (const Border& border : borders_) {
+            if (root(border.left) == root(border.right))
+                result_.line[border.half_edge / 2] = LineKind::none;
+        }
+    }
+
     LabelledMap result_;
     const PlanarMap& map_;
     double min_area_, thinnest_;
+    bool by_lines_;
     std::vector<std::uint32_t> parent_;  // a face: towards its region's lowest face
     std::vector<FaceLabel> label_;       // a region, by its lowest face
     std::vector<float> depth_;
@@ -190,7 +202,11 @@ class Absorber {
 }  // namespace
 
 LabelledMap absorb_small_regions(LabelledMap map, double min_area_px2) {
-    return Absorber(std::move(map), min_area_px2).absorb();
+    return Absorber(std::move(map), min_area_px2, kThinnest_px, false).absorb();
+}
+
+LabelledMap erase_crowded_lines(LabelledMap map, double min_area_px2, double line_px) {
+    return Absorber(std::move(map), min_area_px2, line_px, true).absorb();
 }
 
 }  // namespace edaha

@@ -13,4 +13,9 @@ namespace edaha {
 // Expected O(E log E).
 LabelledMap absorb_small_regions(LabelledMap map, double min_area_px2);
 
+// The map with fewer lines inside its regions: what lines cut out of a region and is too small to
+// be seen, or narrower than the lines themselves, joins the piece beside it, and the line between
+// them goes. The teeth of a mesh's contours vanish like that. Labels stay. Expected O(E log E).
+LabelledMap erase_crowded_lines(LabelledMap map, double min_area_px2, double line_px);
+
 }  // namespace edaha

@@ -41,6 +41,10 @@ std::vector<Layer> draw_flat(LabelledMap map, std::span<const MeshPart> parts,
                              const FlattenParams& params, const FlattenInks& inks,
                              const FlatPlace& place, StepClock& clock) {
     map = absorb_small_regions(std::move(map), params.min_area_px2);
+    if (params.look != FlatLook::fills) {
+        map = erase_crowded_lines(std::move(map), params.min_area_px2,
+                                  params.crease_mm / place.mm_per_px);
+    }
     const SeenRegions regions = find_regions(map);
     clock.end_step("absorb", regions.rings.rings.size(), "rings");
     const std::vector<std::uint32_t> kinds = kept_edges(map, params.look);

@@ -8,7 +8,9 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.h"
+#include "flatten/covered_strokes.h"
 #include "flatten/kept_edges.h"
+#include "geometry/walk_path.h"
 
 namespace edaha {
 namespace {
@@ -22,6 +24,24 @@ constexpr double kSameRun = 0.5;  // saved: one curve is not cut
 int family(LineKind kind) {
     if (kind <= LineKind::contour) return 0;
     return kind == LineKind::border ? 1 : 2;
+}
+
+// Pieces that were apart are tied by a line, or by moving the second one where that is not seen.
+std::vector<CurvePiece> without_gaps(std::vector<CurvePiece> pieces) {
+    constexpr double kUnseen_px = 0.5;
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        Cubic& c = pieces[i].curve;
+        const Vec2 end = pieces[i - 1].curve.p3, shift = end - c.p0;
+        if (shift == Vec2(0)) continue;
+        if (glm::length(shift) < kUnseen_px) {
+            c.p0 = end, c.p1 += shift;
+            if (pieces[i].straight) c = line_cubic(c.p0, c.p3);
+        } else {
+            pieces.insert(pieces.begin() + static_cast<std::ptrdiff_t>(i),
+                          {line_cubic(end, c.p0), true, 0});
+        }
+    }
+    return pieces;
 }
 
 class Chainer {
@@ -43,11 +63,13 @@ class Chainer {
         visit_nodes(spokes_, [&](std::span<const Spoke> spokes) { pair(spokes); });
         for (int round = 0; round < 2; ++round)
             lengthen();
+        bridge();
         return collect();
     }
 
   private:
     static constexpr double kWindow_px = 2;
+    static constexpr double kWidestGap_px = 3;
 
     LineKind line_of(std::uint32_t arc) const { return line_of_kind(graph_.kind(arc)); }
 
@@ -135,6 +157,60 @@ class Chainer {
         link(spoke.end, best->end);
     }
 
+    // Where a mesh's contour has teeth, pieces of it hide behind others: lines go on over gaps that
+    // are no wider than a line, straight ahead.
+    void bridge() {
+        std::vector<LooseEnd> ends;
+        visit_nodes(spokes_, [&](std::span<const Spoke> spokes) {
+            if (spokes.size() == 1 && partner_[spokes[0].end] == kNone)
+                ends.push_back({place_of(spokes[0].use()), &spokes[0]});
+        });
+        std::sort(ends.begin(), ends.end(), [](const LooseEnd& a, const LooseEnd& b) {
+            return a.at.x != b.at.x ? a.at.x < b.at.x : a.spoke->end < b.spoke->end;
+        });
+        struct Gap {
+            double cost;
+            std::uint32_t a, b;
+        };
+        std::vector<Gap> gaps;
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            for (std::size_t j = i + 1; j < ends.size(); ++j) {
+                if (ends[j].at.x - ends[i].at.x > kWidestGap_px) break;
+                const double c = gap_cost(ends[i], ends[j]);
+                if (c < HUGE_VAL) gaps.push_back({c, ends[i].spoke->end, ends[j].spoke->end});
+            }
+        }
+        std::stable_sort(gaps.begin(), gaps.end(),
+                         [](const Gap& a, const Gap& b) { return a.cost < b.cost; });
+        for (const Gap& gap : gaps) {
+            if (partner_[gap.a] == kNone && partner_[gap.b] == kNone) link(gap.a, gap.b);
+        }
+    }
+
+    struct LooseEnd {
+        Vec2 at{0};
+        const Spoke* spoke = nullptr;
+    };
+
+    Vec2 place_of(ArcUse use) const {
+        const CurveSpan span = picture_.curves.span(use);
+        const std::vector<CurvePiece> pieces = pieces_along(picture_.curves, {&span, 1});
+        return pieces.empty() ? Vec2(HUGE_VAL) : pieces.front().curve.p0;
+    }
+
+    double gap_cost(const LooseEnd& a, const LooseEnd& b) const {
+        const Vec2 gap = b.at - a.at;
+        const double width = glm::length(gap);
+        const double turn = 1 + glm::dot(a.spoke->direction, b.spoke->direction);
+        const bool same_arc = a.spoke->end / 2 == b.spoke->end / 2;
+        if (!(width <= kWidestGap_px) || turn > 0.3 || same_arc || !fits(*a.spoke, *b.spoke))
+            return HUGE_VAL;
+        // Not back beside themselves, by more than what a curve takes up.
+        if (glm::dot(gap, a.spoke->direction) > 0.5 || glm::dot(gap, b.spoke->direction) < -0.5)
+            return HUGE_VAL;
+        return width + turn;
+    }
+
     std::vector<Stroke> collect() const {
         const RunSet chains = follow_partners(arcs_, partner_, wanted_);
         std::vector<std::uint32_t> degree(picture_.map.map.nodes.size(), 0);
@@ -167,7 +243,7 @@ class Chainer {
             share[static_cast<std::size_t>(line_of(use.arc))] += graph_.length(use.arc);
         }
         Stroke stroke;
-        stroke.pieces = pieces_along(picture_.curves, spans);
+        stroke.pieces = without_gaps(pieces_along(picture_.curves, spans));
         stroke.closed = closed;
         stroke.kind =
             static_cast<LineKind>(std::max_element(share.begin(), share.end()) - share.begin());
@@ -238,7 +314,8 @@ std::vector<Stroke> chain_strokes(const FlatPicture& picture, const FlattenParam
 
 Layer draw_lines(const FlatPicture& picture, const FlattenParams& params, const FlattenInks& inks) {
     Layer layer{"Lines", {Ink::none(), inks.line, 0}, {}};
-    const std::vector<Stroke> strokes = chain_strokes(picture, params, false);
+    const std::vector<Stroke> strokes =
+        drop_covered(chain_strokes(picture, params, false), params, picture.mm_per_px);
     for (const KindName& kind : kKinds) {
         Group group{kind.name, {{}, {}, width_mm(params, kind.kind)}, {}};
         for (const Stroke& stroke : strokes) {
