@@ -66,6 +66,8 @@ std::vector<Layer> draw_flat(LabelledMap map, std::span<const MeshPart> parts,
         layers.push_back(draw_fills(picture, params, inks));
         clock.end_step("fills", layers.back().children.size(), "parts");
     }
+    if (params.look == FlatLook::blueprint)
+        layers.push_back(draw_hidden_lines(picture, params, inks));
     if (params.look != FlatLook::fills) {
         layers.push_back(draw_lines(picture, params, inks));
         clock.end_step("lines", count_children(layers.back()), "lines");

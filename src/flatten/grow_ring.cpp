@@ -18,22 +18,6 @@ Vec2 to_right(Vec2 direction) {
     return {direction.y, -direction.x};
 }
 
-Vec2 unit(Vec2 a) {
-    const double length = glm::length(a);
-    return length > 0 ? a / length : Vec2(0);
-}
-
-// The way a cubic runs at its ends; arms may have no length.
-Vec2 start_direction(const Cubic& c) {
-    for (const Vec2 p : {c.p1, c.p2, c.p3}) {
-        if (glm::distance(p, c.p0) > 1e-9) return unit(p - c.p0);
-    }
-    return Vec2(0);
-}
-Vec2 end_direction(const Cubic& c) {
-    return -start_direction(reversed(c));
-}
-
 // How far the corner between two pieces moves, so that it lies on both moved lines.
 Vec2 miter(Vec2 in, double by_in, Vec2 out, double by_out) {
     const Vec2 a = to_right(in), b = to_right(out);
@@ -57,12 +41,10 @@ CurvePiece moved(const GrownPiece& grown, const Shifts& shifts) {
         piece.curve = line_cubic(from, to);
         return piece;
     }
-    const Vec2 first = to_right(start_direction(c)) * grown.by;
-    const Vec2 second = to_right(end_direction(c)) * grown.by;
-    const bool taper_start = grown.start == GrownEnd::taper;
-    const bool taper_end = grown.end == GrownEnd::taper;
-    piece.curve = {from, c.p1 + (taper_start ? first * 0.5 : first),
-                   c.p2 + (taper_end ? second * 0.5 : second), to};
+    // Arms grow with the chord, which is right for arcs of circles.
+    const double chord = glm::distance(c.p0, c.p3);
+    const double ratio = chord > 0 ? glm::distance(from, to) / chord : 1;
+    piece.curve = {from, from + (c.p1 - c.p0) * ratio, to - (c.p3 - c.p2) * ratio, to};
     return piece;
 }
 

@@ -22,9 +22,9 @@ struct GrownPiece {
     GrownEnd start = GrownEnd::open, end = GrownEnd::open;
 };
 
-// The ring with some of its pieces moved along their normals: control points are, which is as good
-// as the distance is small against the curve's radius. Pieces that aren't moved stay what they
-// are, bit by bit, unless both they and a neighbour go on into each other. Closed, without gaps.
+// The ring with some of its pieces moved along their normals: their ends are, and arms grow with
+// the chord, exact for lines and near for arcs. Pieces that aren't moved stay what they are, bit by
+// bit, unless both they and a neighbour go on into each other. Closed, without gaps.
 std::vector<CurvePiece> grow_ring(std::span<const GrownPiece> ring);
 
 }  // namespace edaha

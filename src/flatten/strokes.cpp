@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "flatten/covered_strokes.h"
 #include "flatten/kept_edges.h"
+#include "flatten/taper.h"
 #include "geometry/walk_path.h"
 
 namespace edaha {
@@ -26,22 +27,74 @@ int family(LineKind kind) {
     return kind == LineKind::border ? 1 : 2;
 }
 
-// Pieces that were apart are tied by a line, or by moving the second one where that is not seen.
-std::vector<CurvePiece> without_gaps(std::vector<CurvePiece> pieces) {
-    constexpr double kUnseen_px = 0.5;
-    for (std::size_t i = 1; i < pieces.size(); ++i) {
-        Cubic& c = pieces[i].curve;
-        const Vec2 end = pieces[i - 1].curve.p3, shift = end - c.p0;
-        if (shift == Vec2(0)) continue;
-        if (glm::length(shift) < kUnseen_px) {
-            c.p0 = end, c.p1 += shift;
-            if (pieces[i].straight) c = line_cubic(c.p0, c.p3);
-        } else {
-            pieces.insert(pieces.begin() + static_cast<std::ptrdiff_t>(i),
-                          {line_cubic(end, c.p0), true, 0});
+constexpr double kMostReversal = -0.5;  // cosine of 120 degrees
+
+// Moves the start of a piece.
+void start_at(CurvePiece& piece, Vec2 start) {
+    Cubic& c = piece.curve;
+    c.p1 += start - c.p0;
+    c.p0 = start;
+    if (piece.straight) c = line_cubic(c.p0, c.p3);
+}
+
+// In one line: pieces that were apart are tied by a line, or by moving the second one where that is
+// not seen; those too short to be seen are left out.
+std::vector<CurvePiece> tied(std::span<const CurvePiece> pieces) {
+    constexpr double kUnseen_px = 0.5, kSpeck_px = 0.15;
+    std::vector<CurvePiece> line;
+    for (CurvePiece piece : pieces) {
+        if (!line.empty()) {
+            const Vec2 end = line.back().curve.p3;
+            const double gap = glm::distance(end, piece.curve.p0);
+            if (gap >= kUnseen_px) line.push_back({line_cubic(end, piece.curve.p0), true, 0});
+            if (gap > 0 && gap < kUnseen_px) start_at(piece, end);
+            const bool is_speck =
+                piece.straight && glm::distance(piece.curve.p0, piece.curve.p3) < kSpeck_px;
+            if (is_speck) continue;
         }
+        line.push_back(piece);
     }
-    return pieces;
+    return line;
+}
+
+bool turns_back(const CurvePiece& in, const CurvePiece& out) {
+    return glm::dot(end_direction(in.curve), start_direction(out.curve)) < kMostReversal;
+}
+
+// The parts of a stroke between places where it turns back.
+std::vector<Stroke> without_reversals(Stroke&& stroke) {
+    std::vector<CurvePiece>& pieces = stroke.pieces;
+    std::vector<std::size_t> cuts;
+    for (std::size_t i = stroke.closed ? 0 : 1; i < pieces.size(); ++i) {
+        if (turns_back(pieces[(i + pieces.size() - 1) % pieces.size()], pieces[i]))
+            cuts.push_back(i);
+    }
+    std::vector<Stroke> parts;
+    if (cuts.empty()) {
+        parts.push_back(std::move(stroke));
+        return parts;
+    }
+    if (stroke.closed) {
+        const auto first = static_cast<std::ptrdiff_t>(cuts[0]);
+        std::rotate(pieces.begin(), pieces.begin() + first, pieces.end());
+        for (std::size_t& cut : cuts)
+            cut -= static_cast<std::size_t>(first);
+        cuts.erase(cuts.begin());
+    }
+    cuts.push_back(pieces.size());
+    std::size_t begin = 0;
+    for (const std::size_t end : cuts) {
+        const auto at = [&](std::size_t i) {
+            return pieces.begin() + static_cast<std::ptrdiff_t>(i);
+        };
+        // Ends at a tip lie on the neighbouring part.
+        parts.push_back({{at(begin), at(end)}, stroke.kind, false, true});
+        begin = end;
+    }
+    if (!stroke.closed) {
+        parts.front().joined = parts.back().joined = stroke.joined;
+    }
+    return parts;
 }
 
 class Chainer {
@@ -225,14 +278,18 @@ class Chainer {
                             degree[graph_.end_node(chains.of(run).back())] > 1;
         });
         std::vector<Stroke> strokes;
-        for (Stroke& stroke : all) {
-            // What lies between two lines is covered by their round ends if it is no longer than
-            // wide.
-            double shortest = params_.min_line_mm;
-            if (stroke.joined) shortest = std::min(shortest, width_mm(params_, stroke.kind));
-            if (length_mm(stroke) >= shortest) strokes.push_back(std::move(stroke));
+        for (Stroke& chain : all) {
+            for (Stroke& stroke : without_reversals(std::move(chain))) {
+                if (length_mm(stroke) >= shortest_mm(stroke)) strokes.push_back(std::move(stroke));
+            }
         }
         return strokes;
+    }
+
+    // What lies between two lines is covered by their round ends if it is no longer than wide.
+    double shortest_mm(const Stroke& stroke) const {
+        if (!stroke.joined) return params_.min_line_mm;
+        return std::min(params_.min_line_mm, width_mm(params_, stroke.kind));
     }
 
     Stroke stroke_of(std::span<const ArcUse> uses, bool closed) const {
@@ -243,7 +300,7 @@ class Chainer {
             share[static_cast<std::size_t>(line_of(use.arc))] += graph_.length(use.arc);
         }
         Stroke stroke;
-        stroke.pieces = without_gaps(pieces_along(picture_.curves, spans));
+        stroke.pieces = tied(pieces_along(picture_.curves, spans));
         stroke.closed = closed;
         stroke.kind =
             static_cast<LineKind>(std::max_element(share.begin(), share.end()) - share.begin());
@@ -272,22 +329,73 @@ class Chainer {
     std::vector<std::uint32_t> partner_;  // an arc's end
 };
 
-Shape shape_of(const Stroke& stroke, const Affine& page_from_px) {
-    Shape shape;
-    append_pieces(shape.path, stroke.pieces, page_from_px);
-    if (stroke.closed) shape.path.close();
-    return shape;
-}
+// Draws strokes as layers: groups by kind, thin ones below.
+class StrokePainter {
+  public:
+    StrokePainter(const FlatPicture& picture, const FlattenParams& params, const FlattenInks& inks)
+        : picture_(picture), params_(params), inks_(inks) {}
 
-struct KindName {
-    LineKind kind;
-    const char* name;
+    Layer paint(const std::vector<Stroke>& strokes) const {
+        std::vector<Shape> shapes(strokes.size());
+        for_each_index(strokes.size(), 256,
+                       [&](std::size_t i) { shapes[i] = shape_of(strokes[i]); });
+        Layer layer{"Lines", {Ink::none(), inks_.line}, {}};
+        for (const KindName& kind : kKinds) {
+            Group group{kind.name, {{}, {}, width_mm(params_, kind.kind)}, {}};
+            for (std::size_t i = 0; i < strokes.size(); ++i) {
+                if (strokes[i].kind == kind.kind && shapes[i].path.verbs.size() > 1)
+                    group.children.emplace_back(std::move(shapes[i]));
+            }
+            if (!group.children.empty()) layer.children.emplace_back(std::move(group));
+        }
+        return layer;
+    }
+
+    // What lies behind: thin and dashed.
+    Layer paint_hidden(const std::vector<Stroke>& strokes) const {
+        Layer layer{"Hidden lines", {Ink::none(), inks_.hidden, kHiddenWidth_mm, kDash_mm}, {}};
+        for (const Stroke& stroke : strokes) {
+            Shape shape = plain(stroke);
+            if (shape.path.verbs.size() > 1) layer.children.emplace_back(std::move(shape));
+        }
+        return layer;
+    }
+
+  private:
+    struct KindName {
+        LineKind kind;
+        const char* name;
+    };
+    static constexpr KindName kKinds[] = {{LineKind::intersection, "Intersections"},
+                                          {LineKind::crease, "Creases"},
+                                          {LineKind::border, "Borders"},
+                                          {LineKind::contour, "Contours"},
+                                          {LineKind::silhouette, "Silhouette"}};
+    static constexpr double kHiddenWidth_mm = 0.15;
+    static constexpr double kDash_mm = 0.9;
+
+    Shape plain(const Stroke& stroke) const {
+        Shape shape;
+        append_pieces(shape.path, stroke.pieces, picture_.page_from_px);
+        if (stroke.closed && !shape.path.empty()) shape.path.close();
+        return shape;
+    }
+
+    Shape shape_of(const Stroke& stroke) const {
+        if (params_.taper_mm <= 0 || stroke.closed) return plain(stroke);
+        const TaperParams taper{width_mm(params_, stroke.kind) / picture_.mm_per_px,
+                                params_.taper_mm / picture_.mm_per_px};
+        Shape shape;
+        shape.path = tapered(stroke.pieces, taper, picture_.page_from_px);
+        shape.paint.fill = inks_.line;
+        shape.paint.stroke = Ink::none();
+        return shape;
+    }
+
+    const FlatPicture& picture_;
+    const FlattenParams& params_;
+    const FlattenInks& inks_;
 };
-constexpr KindName kKinds[] = {{LineKind::intersection, "Intersections"},
-                               {LineKind::crease, "Creases"},
-                               {LineKind::border, "Borders"},
-                               {LineKind::contour, "Contours"},
-                               {LineKind::silhouette, "Silhouette"}};
 
 }  // namespace
 
@@ -313,19 +421,13 @@ std::vector<Stroke> chain_strokes(const FlatPicture& picture, const FlattenParam
 }
 
 Layer draw_lines(const FlatPicture& picture, const FlattenParams& params, const FlattenInks& inks) {
-    Layer layer{"Lines", {Ink::none(), inks.line, 0}, {}};
-    const std::vector<Stroke> strokes =
-        drop_covered(chain_strokes(picture, params, false), params, picture.mm_per_px);
-    for (const KindName& kind : kKinds) {
-        Group group{kind.name, {{}, {}, width_mm(params, kind.kind)}, {}};
-        for (const Stroke& stroke : strokes) {
-            if (stroke.kind != kind.kind) continue;
-            Shape shape = shape_of(stroke, picture.page_from_px);
-            if (shape.path.verbs.size() > 1) group.children.emplace_back(std::move(shape));
-        }
-        if (!group.children.empty()) layer.children.emplace_back(std::move(group));
-    }
-    return layer;
+    return StrokePainter(picture, params, inks)
+        .paint(drop_covered(chain_strokes(picture, params, false), params, picture.mm_per_px));
+}
+
+Layer draw_hidden_lines(const FlatPicture& picture, const FlattenParams& params,
+                        const FlattenInks& inks) {
+    return StrokePainter(picture, params, inks).paint_hidden(chain_strokes(picture, params, true));
 }
 
 }  // namespace edaha

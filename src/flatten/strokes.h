@@ -23,8 +23,13 @@ struct Stroke {
 std::vector<Stroke> chain_strokes(const FlatPicture& picture, const FlattenParams& params,
                                   bool hidden);
 
-// As a layer "Lines" with groups by kind, thin ones below.
+// As a layer "Lines" with groups by kind, thin ones below. With FlattenParams::taper_mm open
+// strokes become closed areas that thin out to points.
 Layer draw_lines(const FlatPicture& picture, const FlattenParams& params, const FlattenInks& inks);
+
+// Hidden lines as a layer of that name, thin and dashed.
+Layer draw_hidden_lines(const FlatPicture& picture, const FlattenParams& params,
+                        const FlattenInks& inks);
 
 double width_mm(const FlattenParams& params, LineKind kind);
 

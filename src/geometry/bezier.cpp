@@ -43,6 +43,14 @@ double refined_length(const Cubic& curve, double t0, double t1, double whole, in
 
 }  // namespace
 
+Vec2 start_direction(const Cubic& c) {
+    for (const Vec2 p : {c.p1, c.p2, c.p3}) {
+        const double length = glm::distance(p, c.p0);
+        if (length > 1e-9) return (p - c.p0) / length;
+    }
+    return Vec2(0);
+}
+
 std::array<Cubic, 2> split(const Cubic& c, double t) {
     const Vec2 a = mix(c.p0, c.p1, t), b = mix(c.p1, c.p2, t), d = mix(c.p2, c.p3, t);
     const Vec2 ab = mix(a, b, t), bd = mix(b, d, t);

@@ -24,6 +24,12 @@ inline Vec2 derivative(const Cubic& c, double t) {
     return (3 * u * u) * (c.p1 - c.p0) + (6 * u * t) * (c.p2 - c.p1) + (3 * t * t) * (c.p3 - c.p2);
 }
 
+// The way the curve runs at its ends, of length 1, also where an arm has none; 0 for a point.
+Vec2 start_direction(const Cubic& c);
+inline Vec2 end_direction(const Cubic& c) {
+    return -start_direction({c.p3, c.p2, c.p1, c.p0});
+}
+
 // Both parts meet in exactly the same point.
 std::array<Cubic, 2> split(const Cubic& curve, double t);
 
