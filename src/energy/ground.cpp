@@ -54,7 +54,7 @@ Paint filled(Colour colour) {
     return paint;
 }
 
-// How far the ground must reach from the foot for all roots to stand on it.
+// The oval about the foot that all roots stand in.
 Reach reach_of_roots(const Stand& stand) {
     Reach reach;
     for (const Footing& root : stand.roots) {
@@ -64,7 +64,16 @@ Reach reach_of_roots(const Stand& stand) {
         reach.rise = std::max(reach.rise, root.half_width_mm - off.y);
         reach.sink = std::max(reach.sink, off.y + root.half_width_mm);
     }
-    return reach;
+    // An oval with these reaches cuts off what stands in the corners.
+    double farthest = 1;
+    for (const Footing& root : stand.roots) {
+        const Vec2 off = root.middle - stand.foot;
+        const double x = off.x / (off.x < 0 ? reach.left : reach.right);
+        const double y = off.y / (off.y < 0 ? reach.rise : reach.sink);
+        farthest = std::max(farthest, std::hypot(x, y));
+    }
+    const double room = 1.08 * farthest;
+    return {room * reach.left, room * reach.right, room * reach.rise, room * reach.sink};
 }
 
 // Thin lenses that lie scattered over the water, the nearer the longer.
@@ -115,42 +124,60 @@ void add_water(Layer& layer, const Stand& stand, Reach reach, const Palette& pal
     add_ripples(layer, stand, palette);
 }
 
+// As much of the shapes as no root asks for.
+void add_plain(Layer& layer, const Stand& stand, const Reach& wide, double depth,
+               const LookParams& look, const Palette& palette) {
+    const auto reach = [&](double left, double right, double rise, double sink) {
+        return Reach{left * wide.left, right * wide.right, rise * depth, sink * depth};
+    };
+    if (look.ground == Ground::mound) {
+        layer.children.emplace_back(
+            Shape{"mound", lens(stand.foot + Vec2(0, depth * 0.5), reach(1, 1, 0.75, 0.8)), {}});
+        layer.children.emplace_back(Shape{
+            "shadow",
+            lens(stand.foot + Vec2(wide.right * 0.06, depth * 0.42), reach(0.5, 0.62, 0.3, 0.34)),
+            filled(palette.ground_shade)});
+        return;
+    }
+    layer.children.emplace_back(
+        Shape{"shadow", lens(stand.foot + Vec2(0, depth * 0.12), reach(1, 1, 0.42, 0.5)), {}});
+}
+
+// Under roots: an oval, and the shade of what they carry.
+void add_under_roots(Layer& layer, const Stand& stand, const Reach& reach, const LookParams& look,
+                     const Palette& palette) {
+    const char* const name = look.ground == Ground::mound ? "mound" : "shadow";
+    layer.children.emplace_back(Shape{name, oval(stand.foot, reach), {}});
+    if (look.ground != Ground::mound) return;
+    const Reach shade{0.6 * reach.left, 0.7 * reach.right, 0.55 * reach.rise, 0.6 * reach.sink};
+    layer.children.emplace_back(
+        Shape{"shade", oval(stand.foot, shade), filled(palette.ground_shade)});
+}
+
 }  // namespace
 
 Layer draw_ground(const Stand& stand, const LookParams& look, const Palette& palette) {
     Layer layer{"Ground", {}, {}};
     layer.paint.fill = palette.ground;
     if (look.ground == Ground::none) return layer;
-    const Reach roots = reach_of_roots(stand);
     // At least as wide as the foot wants to stand on.
     const double least = stand.foot_width_mm * 0.9;
-    const double left = std::max(
-        {(stand.foot.x - stand.crown_left_mm) * look.ground_width, least, 1.04 * roots.left});
-    const double right = std::max(
-        {(stand.crown_right_mm - stand.foot.x) * look.ground_width, least, 1.04 * roots.right});
-    const double depth = std::min(0.05 * (left + right), 1.1 * stand.foot_width_mm);
-    // The roots' feet lie higher and lower on the page than the trunk's.
-    const auto reach = [&](double part_left, double part_right, double rise, double sink) {
-        return Reach{left * part_left, right * part_right,
-                     std::max(depth * rise, 1.3 * part_left * roots.rise),
-                     std::max(depth * sink, 1.3 * part_left * roots.sink)};
-    };
+    Reach wide;
+    wide.left = std::max((stand.foot.x - stand.crown_left_mm) * look.ground_width, least);
+    wide.right = std::max((stand.crown_right_mm - stand.foot.x) * look.ground_width, least);
+    const double depth = std::min(0.05 * (wide.left + wide.right), 1.1 * stand.foot_width_mm);
+    if (stand.roots.empty() && look.ground != Ground::water) {
+        add_plain(layer, stand, wide, depth, look, palette);
+        return layer;
+    }
+    Reach reach = reach_of_roots(stand);
+    reach = {std::max(reach.left, wide.left), std::max(reach.right, wide.right),
+             std::max(reach.rise, 0.45 * depth), std::max(reach.sink, 0.55 * depth)};
     if (look.ground == Ground::water) {
-        // Wide enough for the outermost roots to stand within the oval's ends.
-        add_water(layer, stand, reach(1.1, 1.1, 0.45, 0.55), palette);
-        return layer;
+        add_water(layer, stand, reach, palette);
+    } else {
+        add_under_roots(layer, stand, reach, look, palette);
     }
-    if (look.ground == Ground::mound) {
-        layer.children.emplace_back(
-            Shape{"mound", lens(stand.foot + Vec2(0, depth * 0.5), reach(1, 1, 0.75, 0.8)), {}});
-        layer.children.emplace_back(
-            Shape{"shadow",
-                  lens(stand.foot + Vec2(right * 0.06, depth * 0.42), reach(0.5, 0.62, 0.3, 0.34)),
-                  filled(palette.ground_shade)});
-        return layer;
-    }
-    layer.children.emplace_back(
-        Shape{"shadow", lens(stand.foot + Vec2(0, depth * 0.12), reach(1, 1, 0.42, 0.5)), {}});
     return layer;
 }
 

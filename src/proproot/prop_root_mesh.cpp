@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -14,6 +15,26 @@ namespace edaha {
 namespace {
 
 enum RootMaterial : std::uint32_t { kTrunkMaterial, kRootMaterial };
+
+// What the thesis' figures paint roots of each order in.
+constexpr Colour kOrderColours[] = {{0xc9, 0x4b, 0x3a},
+                                    {0xdd, 0x8a, 0x3c},
+                                    {0xe9, 0xc9, 0x55},
+                                    {0xf1, 0xe7, 0xc0},
+                                    {0xfa, 0xf8, 0xf2}};
+
+std::vector<Material> materials(const PropRootParams& params) {
+    std::vector<Material> result{{"trunk", std::nullopt}, {"root", std::nullopt}};
+    if (!params.order_colours) return result;
+    result.pop_back();
+    for (const Colour colour : kOrderColours)
+        result.push_back({"root-order-" + std::to_string(result.size()), colour});
+    return result;
+}
+
+std::uint32_t material_of(const PropRoot& root, const PropRootParams& params) {
+    return params.order_colours ? kRootMaterial + root.order - 1 : kRootMaterial;
+}
 
 double round(double radius) {
     return 2 * std::numbers::pi * radius;
@@ -51,12 +72,12 @@ void add_trunk(Mesh& mesh, const Trunk& trunk, const PropRootParams& params) {
 
 Mesh mesh_of(const PropRoots& roots, const PropRootParams& params) {
     Mesh mesh;
-    mesh.materials = {{"trunk", std::nullopt}, {"root", std::nullopt}};
+    mesh.materials = materials(params);
     add_trunk(mesh, roots.trunk, params);
     for (const PropRoot& root : roots.roots) {
         const TubeParams tube{params.circle_points, !root.young, root.young, round(root.radius)};
         // The trunk is part 0.
-        MeshPart part{roots.name_of(root), root.order, root.parent + 1, kRootMaterial,
+        MeshPart part{roots.name_of(root), root.order, root.parent + 1, material_of(root, params),
                       std::nullopt};
         std::vector<TubeCircle> circles = circles_along(root_line(root, params));
         if (tube.grounded) circles.back().centre.y = 0;  // but for rounding

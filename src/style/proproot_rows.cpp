@@ -51,6 +51,8 @@ std::vector<Parameter> proproot_rows() {
         "corners of a root's section", {4, 24}});
     rows.add(&P::curve_points, {"curve_points", {1, 256}, "paper 3.3.1",
         "sections along a root for a bend of a right angle", {4, 48}});
+    rows.add(&P::order_colours, {"order_colours", "paper fig. 4.1",
+        "roots in red, orange, yellow, cream and white by their order, not in the wood's colours"});
     // clang-format on
     return rows.take();
 }

@@ -158,6 +158,19 @@ TEST(PropRootMesh, PartsSayWhatTheyAre) {
     EXPECT_EQ(mesh.part_of.size(), mesh.triangles.size());
 }
 
+TEST(PropRootMesh, OrdersHaveColoursIfAsked) {
+    PropRootParams params = params_of(RootType::standard, 49);
+    params.order_colours = true;
+    const PropRoots plant = grown(params);
+    const Mesh mesh = mesh_of(plant, params);
+    ASSERT_EQ(mesh.materials.size(), 6U);
+    EXPECT_FALSE(mesh.materials[0].colour);
+    for (std::size_t i = 0; i < plant.roots.size(); ++i) {
+        EXPECT_EQ(mesh.parts[i + 1].material, plant.roots[i].order);
+        EXPECT_TRUE(mesh.materials[plant.roots[i].order].colour);
+    }
+}
+
 TEST(PropRootMesh, TheCrownGoesOnWhereTheTrunkEnds) {
     PropRootParams params = params_of(RootType::standard, 80);
     params.trunk_bend = 1;
