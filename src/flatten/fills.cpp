@@ -96,6 +96,7 @@ class FillPainter {
             return order_.time(label) != order_.time_of_base(label.part);
         };
         std::vector<Area> tones = paths(collect(picture_.regions.rings, is_no_base), false);
+        if (trap_px_ > 0 && is_bare()) layer.children.emplace_back(underlay());
         std::size_t base = 0, tone = 0;
         for (const PaintOrder::Part& part : order_.parts) {
             Group group{id_of(part.part), {}, {}};
@@ -118,6 +119,24 @@ class FillPainter {
         for (std::size_t f = 0; f < parts.size(); ++f)
             parts[f] = picture_.map.labels[f].part == kNone ? 0 : picture_.map.labels[f].part + 1;
         return trace_region_rings(map_, parts);
+    }
+
+    // Whether seams between parts may show: no line lies on them.
+    bool is_bare() const {
+        return params_.look == FlatLook::fills || params_.contour_mm <= 0 || params_.border_mm <= 0;
+    }
+
+    // All parts as one shape, in the colour of the farthest.
+    Shape underlay() const {
+        std::vector<std::uint32_t> labels(map_.faces());
+        for (std::size_t f = 0; f < labels.size(); ++f)
+            labels[f] = picture_.map.labels[f].part == kNone ? 0 : 1;
+        const RegionRings rings = trace_region_rings(map_, labels);
+        Areas all = collect(rings, [](std::uint32_t) { return true; });
+        Area& area = all.areas.front();
+        area.time = kNone;  // nothing is painted later that it could run under
+        const PaintOrder::Part& part = order_.parts.front();
+        return {"underlay", path_of(rings, area), {colour(part, part.base), {}, 0}};
     }
 
     // The areas with their paths, in the order in which they are painted.

@@ -60,12 +60,13 @@ void move(std::vector<Element>& elements, Vec2 by) {
     }
 }
 
-// A page whose pixels are those of the depth buffer.
+// The fills on a page whose pixels are those of the depth buffer.
 Drawing on_square_page(Flattened flat, const View& view, const FlattenParams& params) {
     const double mm_per_px = params.size_mm / params.resolution;
     Drawing drawing;
     drawing.width_mm = drawing.height_mm = kSize * mm_per_px;
     drawing.layers = std::move(flat.layers);
+    std::erase_if(drawing.layers, [](const Layer& layer) { return layer.label != "Fills"; });
     const Vec2 middle(drawing.width_mm / 2, drawing.height_mm / 2);
     for (Layer& layer : drawing.layers)
         move(layer.children, middle + view.origin * (mm_per_px / kStepsPerPx));
@@ -162,7 +163,7 @@ Mesh smooth_scene() {
 // Facets keep their edges, so all that may differ is what is below the smallest area.
 TEST(Flatten, FacetsAreWhatADepthBufferSees) {
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-        FlattenParams params = params_of(FlatLook::fills);
+        FlattenParams params = params_of(FlatLook::fills_lines);
         params.smoothing_px = 0;
         const Disagreement d = judge(random_prisms(seed, 60), params).labels;
         EXPECT_LE(double(d.differ), 0.002 * double(d.covered)) << seed;
@@ -171,7 +172,8 @@ TEST(Flatten, FacetsAreWhatADepthBufferSees) {
 }
 
 TEST(Flatten, CurvesStayWithinTheirTolerance) {
-    const Disagreement d = judge(smooth_scene(), params_of(FlatLook::fills)).labels;
+    const FlattenParams params = params_of(FlatLook::fills_lines);
+    const Disagreement d = judge(smooth_scene(), params).labels;
     EXPECT_LE(double(d.differ), 0.005 * double(d.covered));
     EXPECT_EQ(d.far, 0U);
 }
