@@ -24,6 +24,9 @@ constexpr double kPi = std::numbers::pi;
 // that the thesis counted on one (1: 245, 0.4: 550).
 constexpr double kTypicalRoot = 0.58;
 
+// Young roots are longer than this many radii, or they are stubs.
+constexpr double kLeastYoung = 6;
+
 // A plant of more is refused: ten times the richest by the tables.
 constexpr std::size_t kMostRoots = 20000;
 
@@ -186,8 +189,9 @@ class RootGrowth {
                 rising_catenary(root.curve.a, b, b * rise.at(uniform(bud, kRise, attempt)));
         }
         root.length = root.curve.length(root.curve.at_height(0));
-        root.young = uniform(bud, kYoung, 0) < params_.young;
-        if (root.young) root.length *= Range{0.35, 0.8}.at(uniform(bud, kReach, attempt));
+        const double tip = root.length * Range{0.35, 0.8}.at(uniform(bud, kReach, attempt));
+        root.young = uniform(bud, kYoung, 0) < params_.young && tip > kLeastYoung * root.radius;
+        if (root.young) root.length = tip;
     }
 
     // Where children may leave a root: between two parts of its own height, never too low.

@@ -33,7 +33,7 @@ struct PropRootParams {
     double propagule_length = 30;  // cm: 15-60
     double planting_depth = 0.5;   // buried part of it: 0-1
     int circle_points = 12;        // of a tube's circle (3.3.1)
-    int curve_points = 24;         // circles along a root, for a right angle's bend (3.3.1)
+    int curve_points = 16;         // circles along a root, for a right angle's bend (3.3.1)
     bool order_colours = false;    // red, orange, yellow, cream, white by order (fig. 4.1)
 };
 
