@@ -17,10 +17,10 @@ namespace {
 
 int run_command(const std::string& name, const Options& options, Console& console) {
     static const std::map<std::string_view, int (*)(const Options&, Console&)> kCommands = {
-        {"draw", draw},         {"batch", batch},        {"gallery", make_gallery},
-        {"measure", measure},   {"styles", list_styles}, {"leaves", list_leaves},
-        {"check", check_files}, {"explain", explain},    {"completion", print_completion},
-        {"man", print_manual},
+        {"draw", draw},         {"batch", batch},          {"gallery", make_gallery},
+        {"measure", measure},   {"styles", list_styles},   {"leaves", list_leaves},
+        {"check", check_files}, {"explain", explain},      {"completion", print_completion},
+        {"man", print_manual},  {"flatten", flatten_file}, {"mesh", write_mesh},
     };
     return kCommands.at(name)(options, console);
 }

@@ -17,14 +17,19 @@
 namespace edaha {
 namespace {
 
+void add_output(CLI::App& app, Options& options, const std::string& type,
+                const std::string& formats) {
+    add_text(app, "-o,--output", options.output, "FILE",
+             "where to; its ending is the format; - is standard output");
+    add_text(app, "--format", options.format, type, formats);
+    app.add_flag("--force", options.force, "overwrite a file that -o does not name");
+}
+
 void add_draw(CLI::App& app, Options& options) {
     CLI::App& draw = *app.add_subcommand("draw", "draw one picture");
     add_tree(draw, options.tree);
-    add_text(draw, "-o,--output", options.output, "FILE",
-             "where to; its ending is the format; - is standard output");
-    add_text(draw, "--format", options.format, "FORMAT", "svg, svgz, pdf, png or eps");
+    add_output(draw, options, "FORMAT", "svg, svgz, pdf, png or eps");
     add_write(draw, options.write);
-    draw.add_flag("--force", options.force, "overwrite a file that -o does not name");
     add_json(draw, options);
     draw.footer(
         "Examples:\n"
@@ -57,6 +62,44 @@ void add_gallery(CLI::App& app, Options& options) {
         "20\"/>\n"
         "    </page>\n"
         "  </gallery>");
+}
+
+void add_flatten(CLI::App& app, Options& options) {
+    CLI::App& flatten =
+        *app.add_subcommand("flatten", "draw a mesh (OBJ, PLY) as flat areas and lines");
+    TreeOptions& tree = options.tree;
+    add_text(flatten, "MODEL", options.flatten.model, "", "a file .obj or .ply")->required();
+    add_setting(flatten, tree, "--azimuth", "flatten.azimuth", "DEGREES");
+    add_setting(flatten, tree, "--elevation", "flatten.elevation", "DEGREES");
+    add_setting(flatten, tree, "--projection", "flatten.projection", "PROJECTION");
+    add_setting(flatten, tree, "--fov", "flatten.field-of-view", "DEGREES");
+    add_text(flatten, "--up", options.flatten.up, "AXIS", "which axis of the mesh is up: y or z");
+    add_setting(flatten, tree, "--look", "flatten.look", "FLATLOOK");
+    add_text(flatten, "--style", tree.style, "STYLE",
+             "colours, page and parameters of flatten from a style");
+    add_assignments(flatten, tree);
+    add_page(flatten, tree);
+    add_output(flatten, options, "FORMAT", "svg, svgz, pdf, png or eps");
+    add_write(flatten, options.write);
+    flatten.add_flag("--stats", options.flatten.stats, "tell what each step made, and its time");
+    add_json(flatten, options);
+    flatten.footer(
+        "Examples:\n"
+        "  edaha flatten bunny.obj\n"
+        "  edaha flatten tree.ply --azimuth 30 --elevation 15 --look lines -o tree.pdf\n"
+        "  edaha flatten part.obj --up z --set flatten.bands=4 --set palette.wood=#c05030");
+}
+
+void add_mesh(CLI::App& app, Options& options) {
+    CLI::App& mesh =
+        *app.add_subcommand("mesh", "write the mesh of a tree of prisms or prop roots");
+    add_tree(mesh, options.tree);
+    add_output(mesh, options, "MESHFORMAT", "obj (with its materials in a file .mtl) or ply");
+    add_json(mesh, options);
+    mesh.footer(
+        "Examples:\n"
+        "  edaha mesh paper/prisms-mixed -o tree.obj\n"
+        "  edaha mesh paper/prisms-mixed --seed 7 -o tree.ply && edaha flatten tree.ply");
 }
 
 void add_measure(CLI::App& app, Options& options) {
@@ -175,6 +218,8 @@ std::shared_ptr<CLI::App> define_command_line(Options& options) {
     add_draw(*app, options);
     add_batch(*app, options);
     add_gallery(*app, options);
+    add_flatten(*app, options);
+    add_mesh(*app, options);
     add_measure(*app, options);
     add_lists(*app, options);
     add_check(*app, options);

@@ -10,6 +10,8 @@ namespace edaha {
 int draw(const Options& options, Console& console);
 int batch(const Options& options, Console& console);
 int make_gallery(const Options& options, Console& console);
+int flatten_file(const Options& options, Console& console);
+int write_mesh(const Options& options, Console& console);
 int measure(const Options& options, Console& console);
 int list_styles(const Options& options, Console& console);
 int list_leaves(const Options& options, Console& console);

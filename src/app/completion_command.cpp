@@ -34,15 +34,22 @@ std::string join(const Range& range, const Name& name) {
     return text;
 }
 
+// Of a parameter that is a choice.
+Words names_of(const char* key) {
+    const auto& choice = std::get<Choice>(find_parameter(key)->field);
+    return {join(choice.names, [](const std::string& n) { return n; }), {}, false};
+}
+
 Words words_for(const std::string& type) {
     if (type == "STYLE") return {{}, "edaha styles --names", true};
-    if (type == "FILE" || type == "DIR") return {{}, {}, true};
+    if (type == "FILE" || type == "DIR" || type == "MODEL") return {{}, {}, true};
+    if (type == "MESHFORMAT") return {"obj ply", {}, false};
+    if (type == "AXIS") return {"y z", {}, false};
+    if (type == "FLATLOOK") return names_of("flatten.look");
+    if (type == "PROJECTION") return names_of("flatten.projection");
     if (type == "FORMAT") return {join(kFormats, [](Format f) { return name(f); }), {}, false};
     if (type == "SHELL") return {"bash zsh fish", {}, false};
-    if (type == "LOOK") {
-        const auto& look = std::get<Choice>(find_parameter("look.wood")->field);
-        return {join(look.names, [](const std::string& n) { return n; }), {}, false};
-    }
+    if (type == "LOOK") return names_of("look.wood");
     if (type == "PARAMETER") {
         return {join(parameter_groups(), &ParameterGroup::name) + ' ' +
                     join(parameters(), &Parameter::key),

@@ -36,6 +36,32 @@ double bifurcation_ratio(const std::vector<std::size_t>& limbs_by_order) {
                     1.0 / static_cast<double>(steps));
 }
 
+void add_model_counts(Json& json, const TreeCounts& counts) {
+    json["triangles"] = counts.triangles;
+    json["parts"] = counts.parts;
+    if (counts.prisms) {
+        json["prisms"] = counts.prisms->prisms;
+        json["prisms_by_order"] = counts.prisms->by_order;
+        json["prisms_turned"] = counts.prisms->turned;
+        json["prisms_dropped"] = counts.prisms->dropped;
+        json["foliage"] = counts.prisms->foliage;
+    }
+    if (counts.roots) {
+        json["roots"] = counts.roots->roots;
+        json["roots_by_order"] = counts.roots->by_order;
+        json["roots_removed"] = counts.roots->removed;
+    }
+}
+
+void add_energy_counts(Json& json, const TreeCounts& counts) {
+    json["branches"] = counts.branches;
+    json["dropped"] = counts.dropped;
+    json["limbs"] = counts.limbs;
+    json["limbs_by_order"] = counts.limbs_by_order;
+    json["bifurcation_ratio"] = rounded(bifurcation_ratio(counts.limbs_by_order));
+    json["mean_turn_deg"] = rounded(counts.mean_turn_rad * 180 / std::numbers::pi);
+}
+
 Json measurements(const Style& style, const Catalogue& catalogue) {
     LeafShelf leaves(catalogue);
     const LeafLoader load_leaf = leaves.loader();
@@ -49,18 +75,16 @@ Json measurements(const Style& style, const Catalogue& catalogue) {
     json["seed"] = style.energy.variant.seed;
     json["width_mm"] = rounded(picture.drawing.width_mm);
     json["height_mm"] = rounded(picture.drawing.height_mm);
-    json["branches"] = picture.counts.branches;
-    json["dropped"] = picture.counts.dropped;
-    json["limbs"] = picture.counts.limbs;
-    json["limbs_by_order"] = picture.counts.limbs_by_order;
-    json["bifurcation_ratio"] = rounded(bifurcation_ratio(picture.counts.limbs_by_order));
-    json["mean_turn_deg"] = rounded(picture.counts.mean_turn_rad * 180 / std::numbers::pi);
+    if (makes_mesh(style)) add_model_counts(json, picture.counts);
+    if (has_model(style.models, Model::energy)) add_energy_counts(json, picture.counts);
     json["leaves"] = picture.counts.ornaments;
     json["layers"] = counts.layers;
     json["shapes"] = counts.shapes;
     json["nodes"] = counts.nodes;
     json["bytes"] = svg.bytes;
-    json["overlap_ratio"] = rounded(overlap_ratio(draw_picture(solid, load_leaf).drawing));
+    // Of areas that hide each other; a flat drawing has none.
+    if (!makes_mesh(style))
+        json["overlap_ratio"] = rounded(overlap_ratio(draw_picture(solid, load_leaf).drawing));
     return json;
 }
 

@@ -37,17 +37,25 @@ void add_tree(CLI::App& app, TreeOptions& tree) {
     add_changes(app, tree);
 }
 
-void add_changes(CLI::App& app, TreeOptions& tree) {
-    add_setting(app, tree, "--family", "variant.family", "N");
-    add_setting(app, tree, "--vary", "variant.vary", "X");
+void add_assignments(CLI::App& app, TreeOptions& tree) {
     app.add_option("--set", tree.assignments, "set any parameter; may be given again")
         ->type_name("GROUP.NAME=VALUE")
         ->allow_extra_args(false);
-    add_setting(app, tree, "--look", "look.wood", "LOOK");
+}
+
+void add_page(CLI::App& app, TreeOptions& tree) {
     add_text(app, "--palette", tree.palette, "NAME", "colours: another palette of the style");
     add_text(app, "--size", tree.size, "LENGTH",
              "longer side of the page: 120mm, 12cm, 5in, 400px, 340pt");
     app.add_flag("--background", tree.background, "paint the paper");
+}
+
+void add_changes(CLI::App& app, TreeOptions& tree) {
+    add_setting(app, tree, "--family", "variant.family", "N");
+    add_setting(app, tree, "--vary", "variant.vary", "X");
+    add_assignments(app, tree);
+    add_setting(app, tree, "--look", "look.wood", "LOOK");
+    add_page(app, tree);
 }
 
 void add_write(CLI::App& app, WriteOptions& write) {

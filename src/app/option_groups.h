@@ -24,7 +24,11 @@ void add_setting(CLI::App& app, TreeOptions& tree, const std::string& option,
 // STYLE and --seed, and all below.
 void add_tree(CLI::App& app, TreeOptions& tree);
 
-// What changes a style, whatever its seed.
+// --set; --palette, --size and --background.
+void add_assignments(CLI::App& app, TreeOptions& tree);
+void add_page(CLI::App& app, TreeOptions& tree);
+
+// What changes a style, whatever its seed: those too.
 void add_changes(CLI::App& app, TreeOptions& tree);
 
 void add_write(CLI::App& app, WriteOptions& write);

@@ -50,11 +50,19 @@ struct BatchOptions {
     bool quiet = false;
 };
 
+// For flatten alone.
+struct FlattenOptions {
+    std::string model;
+    std::string up;
+    bool stats = false;
+};
+
 struct Options {
     TreeOptions tree;
     WriteOptions write;
     GalleryOptions gallery;
     BatchOptions batch;
+    FlattenOptions flatten;
     std::string output;
     std::string format;
     std::string topic;               // of explain

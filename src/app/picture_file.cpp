@@ -25,12 +25,6 @@ std::optional<double> parse_within(const std::string& option, const std::string&
                                  shortest_text(least), shortest_text(most)));
 }
 
-// The members that options can set.
-std::string text_of(const WriteParams& params) {
-    return fmt::format("{} {} {} {}", params.svg.expand, params.svg.swatches,
-                       params.png.width_px.value_or(0), shortest_text(params.png.dpi));
-}
-
 }  // namespace
 
 Format parse_format(const std::string& text) {
@@ -51,6 +45,11 @@ WriteParams write_params(const WriteOptions& options, const Style& style) {
     }
     params.eps.paper = style.palette.paper;
     return params;
+}
+
+std::string text_of(const WriteParams& params) {
+    return fmt::format("{} {} {} {}", params.svg.expand, params.svg.swatches,
+                       params.png.width_px.value_or(0), shortest_text(params.png.dpi));
 }
 
 Metadata metadata_of(const TreeStyle& tree, const WriteParams& params, LeafShelf& leaves) {

@@ -25,6 +25,9 @@ WriteParams write_params(const WriteOptions& options, const Style& style);
 // leaf drawings and the options of writing. No drawing is needed for it.
 Metadata metadata_of(const TreeStyle& tree, const WriteParams& params, LeafShelf& leaves);
 
+// The members that options can set, for recipes.
+std::string text_of(const WriteParams& params);
+
 // Writes the drawing into a file that appears whole or not at all. Errors: IoError.
 WriteReport write_file(const Drawing& drawing, const std::string& path, Format format,
                        const WriteParams& params);

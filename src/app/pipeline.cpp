@@ -6,9 +6,10 @@
 #include <iterator>
 #include <utility>
 
+#include "app/flat_model.h"
 #include "drawing/page.h"
-#include "energy/ground.h"
 #include "energy/grow.h"
+#include "energy/move_limbs.h"
 #include "energy/wood.h"
 #include "ornament/placement.h"
 #include "style/parameter.h"
@@ -34,6 +35,12 @@ std::vector<Dress> dresses(const Style& style) {
             {style.fruit, {p.fruit_light, p.fruit, p.fruit_shade, p.fruit_back}, "Fruit", 2}};
 }
 
+// Where ornaments may sit.
+struct Twigs {
+    std::function<std::vector<Site>(const SiteParams&)> sites;
+    std::function<std::string(std::int32_t)> clump_id;
+};
+
 void append(std::vector<Layer>& layers, std::vector<Layer>&& more) {
     std::move(more.begin(), more.end(), std::back_inserter(layers));
 }
@@ -41,33 +48,91 @@ void append(std::vector<Layer>& layers, std::vector<Layer>&& more) {
 class PictureMaker {
   public:
     PictureMaker(const Style& style, const LeafLoader& load_leaf)
-        : style_(style),
-          load_leaf_(load_leaf),
-          random_(style.energy.variant.family, style.energy.variant.seed,
-                  style.energy.variant.vary) {}
+        : style_(style), load_leaf_(load_leaf), random_(random_of(style)) {}
 
     Picture run() {
-        const Skeleton skeleton = grow(style_.energy);
-        const Limbs limbs = make_limbs(skeleton, style_.energy, style_.look);
-        Wood wood = draw_wood(limbs, style_.look, style_.palette);
-        std::vector<Layer> behind, front;
-        for (const Dress& dress : dresses(style_))
-            decorate(dress, limbs, behind, front);
-        count(skeleton, limbs);
         picture_.drawing.swatches = swatches();
-
-        std::vector<Layer>& layers = picture_.drawing.layers;
-        layers.push_back(draw_ground(stand(limbs, wood), style_.look, style_.palette));
-        append(layers, std::move(wood.behind));
-        append(layers, std::move(behind));
-        append(layers, std::move(wood.front));
-        append(layers, std::move(front));
+        if (has_model(style_.models, Model::energy)) {
+            grow_by_energy();
+        } else {
+            flatten_model();
+        }
         picture_.drawing = on_page(std::move(picture_.drawing), style_.page, style_.palette);
         return std::move(picture_);
     }
 
   private:
-    void decorate(const Dress& dress, const Limbs& limbs, std::vector<Layer>& behind,
+    // On prop roots, if the style has any.
+    void grow_by_energy() {
+        const Skeleton skeleton = grow(style_.energy);
+        Limbs limbs = make_limbs(skeleton, style_.energy, style_.look);
+        std::optional<FlatModel> base;
+        if (makes_mesh(style_)) {
+            base = draw_model(style_, 2 * limbs.nodes.front().half_width);
+            limbs = moved_limbs(std::move(limbs), base->top_mm, base->top_turn_rad);
+            count(*base);
+        }
+        Wood wood = draw_wood(limbs, style_.look, style_.palette);
+        std::vector<Layer> behind, front;
+        const Twigs twigs = twigs_of(limbs);
+        for (const Dress& dress : dresses(style_))
+            decorate(dress, twigs, behind, front);
+        count(skeleton, limbs);
+
+        std::vector<Layer>& layers = picture_.drawing.layers;
+        Stand place = stand(limbs, wood);
+        if (base) place = on_roots(place, base->stand);
+        layers.push_back(draw_ground(place, style_.look, style_.palette));
+        append(layers, std::move(wood.behind));
+        append(layers, std::move(behind));
+        std::vector<Layer> flat;
+        if (base) flat = std::move(base->flat.layers);
+        const std::size_t at = layers.size();
+        append(layers, std::move(wood.front));
+        append(layers, std::move(front));
+        insert_flat(std::move(flat), at);
+    }
+
+    void flatten_model() {
+        FlatModel model = draw_model(style_, 0);
+        count(model);
+        std::vector<Layer> behind, front;
+        const Twigs twigs = twigs_of(model);
+        for (const Dress& dress : dresses(style_))
+            decorate(dress, twigs, behind, front);
+        std::vector<Layer>& layers = picture_.drawing.layers;
+        layers.push_back(draw_ground(model.stand, style_.look, style_.palette));
+        append(layers, std::move(behind));
+        const std::size_t at = layers.size();
+        append(layers, std::move(front));
+        insert_flat(std::move(model.flat.layers), at);
+    }
+
+    // Below the layer `at`, with ids that are nobody else's.
+    void insert_flat(std::vector<Layer> flat, std::size_t at) {
+        if (flat.empty()) return;
+        std::vector<Layer>& layers = picture_.drawing.layers;
+        settle_ids(flat, layers, picture_.drawing.symbols);
+        layers.insert(layers.begin() + static_cast<std::ptrdiff_t>(at),
+                      std::make_move_iterator(flat.begin()), std::make_move_iterator(flat.end()));
+    }
+
+    Twigs twigs_of(const Limbs& limbs) const {
+        return {[&](const SiteParams& params) { return sites(limbs, style_.look, params); },
+                [&](std::int32_t limb) {
+                    return limbs.id(limbs.limbs[static_cast<std::size_t>(limb)]);
+                }};
+    }
+
+    static Twigs twigs_of(const FlatModel& model) {
+        return {[&](const SiteParams&) { return sites(model); },
+                [&](std::int32_t part) {
+                    const MeshPart& bough = model.model.mesh.parts[static_cast<std::size_t>(part)];
+                    return id_from_label(bough.name);
+                }};
+    }
+
+    void decorate(const Dress& dress, const Twigs& twigs, std::vector<Layer>& behind,
                   std::vector<Layer>& front) {
         if (dress.params.shape.empty()) return;
         LeafImport import = load_leaf_(dress.params.shape);
@@ -78,15 +143,13 @@ class PictureMaker {
         params.tones = dress.tones;
         params.label = dress.label;
         params.salt = dress.salt;
-        params.clump_id = [&](std::int32_t limb) {
-            return limbs.id(limbs.limbs[static_cast<std::size_t>(limb)]);
-        };
+        params.clump_id = twigs.clump_id;
         params.stroked = std::any_of(
             import.leaf.shapes.begin(), import.leaf.shapes.end(),
             [](const Shape& shape) { return shape.paint.stroke.kind == Ink::Kind::inherit; });
         params.symbol = symbol_of(std::move(import.leaf));
         const SiteParams along{dress.params.along_mm, dress.params.along_width_mm};
-        Placement placement = place(sites(limbs, style_.look, along), params, random_);
+        Placement placement = place(twigs.sites(along), params, random_);
         picture_.counts.ornaments += placement.all.size();
         behind.push_back(std::move(placement.behind));
         front.push_back(std::move(placement.front));
@@ -122,12 +185,30 @@ class PictureMaker {
     }
 
     static Stand stand(const Limbs& limbs, const Wood& wood) {
-        Stand stand{wood.foot, wood.foot_width_mm, wood.foot.x, wood.foot.x};
+        Stand stand;
+        stand.foot = wood.foot;
+        stand.foot_width_mm = wood.foot_width_mm;
+        stand.crown_left_mm = stand.crown_right_mm = wood.foot.x;
         for (const LimbNode& node : limbs.nodes) {
             stand.crown_left_mm = std::min(stand.crown_left_mm, node.position.x);
             stand.crown_right_mm = std::max(stand.crown_right_mm, node.position.x);
         }
         return stand;
+    }
+
+    // The crown's shade, where the roots stand.
+    static Stand on_roots(const Stand& crown, Stand roots) {
+        roots.crown_left_mm = std::min(roots.crown_left_mm, crown.crown_left_mm);
+        roots.crown_right_mm = std::max(roots.crown_right_mm, crown.crown_right_mm);
+        return roots;
+    }
+
+    void count(const FlatModel& model) {
+        TreeCounts& counts = picture_.counts;
+        counts.triangles = model.model.mesh.triangles.size();
+        counts.parts = model.model.mesh.parts.size();
+        counts.prisms = model.model.prisms;
+        counts.roots = model.model.roots;
     }
 
     void count(const Skeleton& skeleton, const Limbs& limbs) {

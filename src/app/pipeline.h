@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/model_mesh.h"
 #include "base/error.h"
 #include "drawing/drawing.h"
 #include "ornament/leaf.h"
@@ -19,6 +21,10 @@ struct TreeCounts {
     std::size_t ornaments = 0;                // leaves, blossoms and fruit
     std::vector<std::size_t> limbs_by_order;  // the trunk has order 0
     double mean_turn_rad = 0;                 // of a branch from its parent, either way
+    std::size_t triangles = 0;                // of the models that make meshes
+    std::size_t parts = 0;
+    std::optional<PrismCounts> prisms;
+    std::optional<RootCounts> roots;
 };
 
 struct Picture {

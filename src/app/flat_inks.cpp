@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "app/flat_inks.h"
+
+namespace edaha {
+namespace {
+
+std::vector<Colour> tones_of(const Palette& p, const Material& material) {
+    if (material.name == "leaf") return {p.leaf_shade, p.leaf, p.leaf_light};
+    if (material.name == "blossom") return {p.blossom_shade, p.blossom, p.blossom_light};
+    if (material.name == "fruit") return {p.fruit_shade, p.fruit, p.fruit_light};
+    if (!material.colour) return {p.wood_shade, p.wood, p.wood_light};
+    constexpr Colour kBlack{0, 0, 0}, kWhite{255, 255, 255};
+    const Colour own = *material.colour;
+    return {mixed(own, kBlack, 0.35), own, mixed(own, kWhite, 0.35)};
+}
+
+}  // namespace
+
+FlattenInks flat_inks(const Palette& palette, const std::vector<Material>& materials) {
+    FlattenInks inks;
+    for (const Material& material : materials)
+        inks.tones.push_back(tones_of(palette, material));
+    inks.line = palette.mark;
+    inks.hidden = mixed(palette.mark, palette.paper, 0.5);
+    inks.paper = palette.paper;
+    return inks;
+}
+
+Colour middle_tone(const Palette& palette, const Material& material) {
+    return tones_of(palette, material)[1];
+}
+
+}  // namespace edaha

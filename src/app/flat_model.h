@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/model_mesh.h"
+#include "drawing/site.h"
+#include "energy/ground.h"
+#include "flatten/flatten.h"
+#include "ornament/ornament_params.h"
+
+namespace edaha {
+
+// The meshes of a style as seen: layers, and what stands on them and under them.
+struct FlatModel {
+    ModelMesh model;
+    Flattened flat;
+    Stand stand;
+    Vec2 top_mm{0};           // where a crown goes on,
+    double top_turn_rad = 0;  // and how far it leans to the right
+};
+
+// `trunk_mm`: how thick the crown's trunk is; 0: there is none. The trunk of prop roots becomes as
+// thick if the style does not say the scale.
+FlatModel draw_model(const Style& style, double trunk_mm);
+
+// The mesh's places for twigs, as seen. Clumps are parts: boughs of order 2 with all they bear.
+std::vector<Site> sites(const FlatModel& model);
+
+// Makes ids of all shapes and groups XML names, and other than each other and than `taken`.
+void settle_ids(std::vector<Layer>& layers, const std::vector<Layer>& taken,
+                const std::vector<Symbol>& symbols);
+
+}  // namespace edaha

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "app/model_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "mesh/add_mesh.h"
+
+namespace edaha {
+namespace {
+
+void add_roots(ModelMesh& model, const Style& style, const KeyedRandom& random) {
+    const PropRoots roots = grow_prop_roots(style.prop_root, random);
+    model.mesh = mesh_of(roots, style.prop_root);
+    model.top = trunk_top(roots);
+    model.roots = RootCounts{roots.roots.size(), roots.removed, roots.by_order};
+    for (const PropRoot& root : roots.roots) {
+        if (root.young) continue;
+        model.root_feet.push_back(
+            {root.at(root.length), root.radius_at(root.length, style.prop_root.knob)});
+    }
+}
+
+// Of the circle round the first prism's base.
+double foot_radius(const Mesh& prisms) {
+    double radius = 0;
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, prisms.points.size()); ++i)
+        radius = std::max(radius, glm::length(prisms.points[i]));
+    return radius;
+}
+
+void add_prisms(ModelMesh& model, const Style& style, const KeyedRandom& random) {
+    PrismTree tree = grow_prisms(style.prism, random);
+    model.prisms = std::move(tree.counts);
+    MeshPlace place;
+    const double radius = foot_radius(tree.mesh);
+    if (model.top && radius > 0) {
+        place.turn = turn_from_up(model.top->direction);
+        place.scale = model.top->radius / radius;
+        place.shift = model.top->position;
+    }
+    add_mesh(model.mesh, tree.mesh, place);
+}
+
+}  // namespace
+
+KeyedRandom random_of(const Style& style) {
+    const VariantParams& variant = style.energy.variant;
+    return {variant.family, variant.seed, variant.vary};
+}
+
+bool makes_mesh(const Style& style) {
+    return has_model(style.models, Model::prism) || has_model(style.models, Model::prop_root);
+}
+
+ModelMesh make_model_mesh(const Style& style) {
+    ModelMesh model;
+    const KeyedRandom random = random_of(style);
+    if (has_model(style.models, Model::prop_root)) add_roots(model, style, random);
+    if (has_model(style.models, Model::prism)) add_prisms(model, style, random);
+    return model;
+}
+
+}  // namespace edaha
