@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// From mesh to flat layers by size of the mesh: trees of prisms that pass through each other at
+// their joints, and smooth surfaces. Counters: per triangle, so that a linear cost shows as such,
+// and the seconds of each step.
+#include <cmath>
+#include <queue>
+
+#include <benchmark/benchmark.h>
+#include <glm/geometric.hpp>
+
+#include "base/keyed_random.h"
+#include "flatten/flatten.h"
+#include "support/meshes.h"
+
+namespace edaha {
+namespace {
+
+struct Bud {
+    Vec3 place, along;  // along: the next prism, from foot to top
+    double radius = 1;
+    Key key = 0;
+    std::uint32_t order = 0;
+};
+
+// A tree of eight-sided prisms, 28 triangles each, in the order of their distance from the root.
+Mesh tree_of(std::size_t triangles) {
+    const KeyedRandom random(0, 1, 1);
+    Mesh mesh;
+    mesh.materials.push_back({"wood", std::nullopt});
+    std::queue<Bud> buds;
+    buds.push({{0, 0, 0}, {0, 60, 0}, 8, 1, 0});
+    while (mesh.triangles.size() < triangles) {
+        const Bud bud = buds.front();
+        buds.pop();
+        const Mesh prism = test::prism(bud.place, bud.place + bud.along, bud.radius, 8);
+        const auto first = static_cast<std::uint32_t>(mesh.points.size());
+        mesh.points.insert(mesh.points.end(), prism.points.begin(), prism.points.end());
+        while (mesh.parts.size() <= bud.order)
+            mesh.parts.push_back({"order-" + std::to_string(mesh.parts.size())});
+        for (const Triangle& t : prism.triangles) {
+            mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+            mesh.part_of.push_back(bud.order);
+        }
+        for (std::uint32_t child = 0; child < 2; ++child) {
+            const auto number = [&](std::uint32_t purpose) {
+                return 2 * random.uniform(step(bud.key, child), purpose) - 1;
+            };
+            const double length = glm::length(bud.along);
+            const Vec3 turn = Vec3(number(0), 0.3 + 0.3 * number(1), number(2)) * (0.9 * length);
+            const Vec3 along =
+                glm::normalize(bud.along + turn) * (length * (0.87 + 0.05 * number(3)));
+            buds.push({bud.place + bud.along * 0.98, along, bud.radius * (0.77 + 0.05 * number(4)),
+                       step(bud.key, child), bud.order + 1});
+        }
+    }
+    return mesh;
+}
+
+void flatten_mesh(benchmark::State& state, const Mesh& mesh, FlatLook look) {
+    FlattenParams params;
+    params.look = look;
+    params.camera.azimuth_rad = 0.3;
+    params.camera.elevation_rad = 0.2;
+    const FlattenInks inks{{{{0x57, 0x40, 0x38}, {0x6b, 0x4f, 0x43}, {0x82, 0x63, 0x54}}}};
+    Flattened flat;
+    for (auto _ : state) {
+        flat = flatten(mesh, params, inks);
+        benchmark::DoNotOptimize(flat.layers.data());
+    }
+    for (const StepReport& step : flat.steps)
+        state.counters[step.name] = step.seconds;
+    state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
+    state.counters["per_triangle"] = benchmark::Counter(
+        static_cast<double>(mesh.triangles.size()),
+        benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void tree(benchmark::State& state, FlatLook look) {
+    flatten_mesh(state, tree_of(static_cast<std::size_t>(state.range(0))), look);
+}
+
+void sphere(benchmark::State& state, FlatLook look) {
+    const double rings = std::sqrt(static_cast<double>(state.range(0)) / 4);
+    flatten_mesh(state, test::sphere({0, 0, 0}, 1, static_cast<int>(rings)), look);
+}
+
+void torus(benchmark::State& state, FlatLook look) {
+    const int across = static_cast<int>(std::sqrt(static_cast<double>(state.range(0)) / 8));
+    flatten_mesh(state, test::torus(3, 1, 4 * across, across), look);
+}
+
+BENCHMARK_CAPTURE(tree, fills_and_lines, FlatLook::fills_lines)
+    ->RangeMultiplier(10)
+    ->Range(10'000, 1'000'000)
+    ->Arg(150'000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(tree, facets, FlatLook::facets)
+    ->Arg(150'000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(sphere, lines, FlatLook::lines)
+    ->Arg(150'000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(sphere, tones, FlatLook::tones)
+    ->Arg(150'000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(torus, lines, FlatLook::lines)
+    ->Arg(150'000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+}  // namespace
+}  // namespace edaha
