@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
-#include <set>
+#include <queue>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -34,9 +35,12 @@ class Absorber {
         join_equal_faces();
         measure();
         collect_small();
-        while (!waiting_.empty()) {
-            const std::uint32_t region = waiting_.begin()->second;
-            waiting_.erase(waiting_.begin());
+        while (!queue_.empty()) {
+            const auto [area, region] = queue_.top();
+            queue_.pop();
+            // Others have grown since, or are part of another region.
+            if (!waits_[region] || area != area_[region]) continue;
+            waits_[region] = 0;
             dissolve(region);
         }
         by_lines_ ? erase_lines() : relabel();
@@ -105,23 +109,40 @@ class Absorber {
         return by_lines_ || 2 * sky_border_[region] < border_[region];
     }
 
+    void wait(std::uint32_t region) {
+        waits_[region] = 1;
+        queue_.emplace(area_[region], region);
+    }
+
     // Only small regions need to know their half-edges.
     void collect_small() {
-        edges_of_.resize(map_.faces());
+        waits_.assign(map_.faces(), 0);
+        first_edge_.assign(map_.faces(), kNone);
+        last_edge_.assign(map_.faces(), kNone);
+        next_edge_.assign(map_.next.size(), kNone);
         for (std::uint32_t face = 1; face < map_.faces(); ++face) {
-            if (parent_[face] == face && is_small(face)) waiting_.insert({area_[face], face});
+            if (parent_[face] == face && is_small(face)) wait(face);
         }
         for (const Border& border : borders_) {
-            if (is_small(border.left)) edges_of_[border.left].push_back(border.half_edge);
-            if (is_small(border.right)) edges_of_[border.right].push_back(twin(border.half_edge));
+            if (waits_[border.left]) append_edges(border.left, border.half_edge, border.half_edge);
+            const std::uint32_t back = twin(border.half_edge);
+            if (waits_[border.right]) append_edges(border.right, back, back);
         }
+    }
+
+    // Puts a list of half-edges behind a region's own.
+    void append_edges(std::uint32_t region, std::uint32_t first, std::uint32_t last) {
+        std::uint32_t& end = last_edge_[region];
+        (end == kNone ? first_edge_[region] : next_edge_[end]) = first;
+        end = last;
     }
 
     // The neighbour with the longest border; of equal ones the lowest. The sky only if there is no
     // other: twigs are made of many small parts.
     std::uint32_t best_neighbour(std::uint32_t region) {
-        std::vector<std::pair<std::uint32_t, double>> shares;
-        for (const std::uint32_t h : edges_of_[region]) {
+        std::vector<std::pair<std::uint32_t, double>>& shares = shares_;
+        shares.clear();
+        for (std::uint32_t h = first_edge_[region]; h != kNone; h = next_edge_[h]) {
             const std::uint32_t other = region_left_of(twin(h));
             if (other == region || (by_lines_ && label_[other] != label_[region])) continue;
             shares.emplace_back(other, edge_length(h));
@@ -147,7 +168,8 @@ class Absorber {
         if (other == kNone) return;
         const FaceLabel label = label_[other];
         const float depth = depth_[other];
-        const bool other_waits = waiting_.erase({area_[other], other}) > 0;
+        const bool other_waits = waits_[other] != 0;
+        waits_[other] = 0;
         join(region, other);
         const std::uint32_t joined = std::min(region, other);
         area_[joined] = area_[region] + area_[other];
@@ -156,10 +178,10 @@ class Absorber {
         label_[joined] = label;
         depth_[joined] = depth;
         if (!other_waits) return;
-        std::vector<std::uint32_t> edges = std::move(edges_of_[other]);
-        edges.insert(edges.end(), edges_of_[region].begin(), edges_of_[region].end());
-        edges_of_[joined] = std::move(edges);
-        if (is_small(joined)) waiting_.insert({area_[joined], joined});
+        const std::uint32_t added = joined == other ? region : other;
+        if (first_edge_[added] != kNone)
+            append_edges(joined, first_edge_[added], last_edge_[added]);
+        if (is_small(joined)) wait(joined);
     }
 
     void relabel() {
@@ -195,8 +217,12 @@ class Absorber {
     std::vector<float> depth_;
     std::vector<double> area_, border_, sky_border_;
     std::vector<Border> borders_;
-    std::vector<std::vector<std::uint32_t>> edges_of_;
-    std::set<std::pair<double, std::uint32_t>> waiting_;
+    std::vector<std::uint32_t> first_edge_, last_edge_;  // a waiting region: list of half-edges
+    std::vector<std::uint32_t> next_edge_;               // a half-edge: the next of its list
+    std::vector<std::pair<std::uint32_t, double>> shares_;
+    using Small = std::pair<double, std::uint32_t>;  // area, region
+    std::priority_queue<Small, std::vector<Small>, std::greater<>> queue_;
+    std::vector<std::uint8_t> waits_;
 };
 
 }  // namespace
