@@ -18,6 +18,7 @@ namespace edaha {
 namespace {
 
 constexpr std::size_t kWorthThreads = 64;
+constexpr double kTwig_px = 3;
 
 // The rings of one label, outlines first.
 struct Area {
@@ -96,7 +97,7 @@ class FillPainter {
             return order_.time(label) != order_.time_of_base(label.part);
         };
         std::vector<Area> tones = paths(collect(picture_.regions.rings, is_no_base), false);
-        if (trap_px_ > 0 && is_bare()) layer.children.emplace_back(underlay());
+        if (trap_px_ > 0 && is_bare()) add_underlay(layer, rings);
         std::size_t base = 0, tone = 0;
         for (const PaintOrder::Part& part : order_.parts) {
             Group group{id_of(part.part), {}, {}};
@@ -126,19 +127,6 @@ class FillPainter {
         return params_.look == FlatLook::fills || params_.contour_mm <= 0 || params_.border_mm <= 0;
     }
 
-    // All parts as one shape, in the colour of the farthest.
-    Shape underlay() const {
-        std::vector<std::uint32_t> labels(map_.faces());
-        for (std::size_t f = 0; f < labels.size(); ++f)
-            labels[f] = picture_.map.labels[f].part == kNone ? 0 : 1;
-        const RegionRings rings = trace_region_rings(map_, labels);
-        Areas all = collect(rings, [](std::uint32_t) { return true; });
-        Area& area = all.areas.front();
-        area.time = kNone;  // nothing is painted later that it could run under
-        const PaintOrder::Part& part = order_.parts.front();
-        return {"underlay", path_of(rings, area), {colour(part, part.base), {}, 0}};
-    }
-
     // The areas with their paths, in the order in which they are painted.
     std::vector<Area> paths(Areas areas, bool of_parts) const {
         for_each_index(areas.areas.size(), kWorthThreads, [&](std::size_t i) {
@@ -151,6 +139,48 @@ class FillPainter {
             return std::pair(a.time, a.label) < std::pair(b.time, b.label);
         });
         return std::move(areas.areas);
+    }
+
+    // Which parts are twigs before the sky: thinner than a seam's pixels, and there are many.
+    std::vector<std::uint8_t> find_twigs(const RegionRings& rings) const {
+        struct Measure {
+            double area = 0, border = 0, sky = 0;
+        };
+        std::vector<Measure> measures(picture_.parts.size());
+        for (const RegionRings::Ring& ring : rings.rings) {
+            Measure& part = measures[ring.label - 1];
+            part.area += ring.area;
+            for (const std::uint32_t h : rings.of(ring)) {
+                const double length = glm::distance(at(map_.origin(h)), at(map_.target(h)));
+                part.border += length;
+                if (time_left_of(twin(h)) == 0) part.sky += length;
+            }
+        }
+        const double thin = kTwig_px * picture_.map.steps_per_px;
+        std::vector<std::uint8_t> is_twig(measures.size());
+        for (std::size_t i = 0; i < measures.size(); ++i) {
+            const auto& [area, border, sky] = measures[i];
+            is_twig[i] = 2 * area < thin * border && 2 * sky > border;
+        }
+        return is_twig;
+    }
+
+    // All but the twigs as one area under everything: pixels that two parts share by halves have
+    // it behind them, however wide the pixels are.
+    void add_underlay(Layer& layer, const RegionRings& rings) const {
+        const std::vector<std::uint8_t> is_twig = find_twigs(rings);
+        std::vector<std::uint32_t> inside(map_.faces());
+        for (std::size_t f = 0; f < inside.size(); ++f) {
+            const std::uint32_t part = picture_.map.labels[f].part;
+            inside[f] = part != kNone && !is_twig[part];
+        }
+        const RegionRings outlines = trace_region_rings(map_, inside);
+        Areas all = collect(outlines, [](std::uint32_t) { return true; });
+        if (all.areas.empty()) return;
+        all.areas[0].time = ~0U;  // nothing is painted later: it ends where it ends
+        const PaintOrder::Part& part = order_.parts.front();
+        Shape shape{"underlay", path_of(outlines, all.areas[0]), {colour(part, part.base), {}}};
+        if (!shape.path.empty()) layer.children.emplace_back(std::move(shape));
     }
 
     Vec2 at(std::uint32_t node) const { return to_vec(map_.nodes[node]); }
