@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -284,7 +286,17 @@ class FillPainter {
                    params_.fade * (1 - part.nearness));
     }
 
-    std::string id_of(std::uint32_t part) const { return picture_.parts[part].name; }
+    // The part's name as an XML name, with a number where that is taken.
+    std::string id_of(std::uint32_t part) {
+        std::string id = id_from_label(picture_.parts[part].name);
+        const bool starts_well =
+            !id.empty() && ((id[0] >= 'a' && id[0] <= 'z') || (id[0] >= 'A' && id[0] <= 'Z'));
+        if (!starts_well) id = "part-" + id;
+        std::string free = id;
+        for (int number = 2; !ids_.insert(free).second; ++number)
+            free = id + "-" + std::to_string(number);
+        return free;
+    }
 
     void add(Group& group, Area&& area, const PaintOrder::Part& part, std::uint8_t tone) const {
         if (area.path.empty()) return;
@@ -343,6 +355,9 @@ class FillPainter {
         std::uint32_t time = 0;
         float width = 0;
     };
+    // Taken: what layers, groups of lines and the underlay are called.
+    std::set<std::string> ids_{"Fills",         "Bark",    "Lines",    "Hidden-lines", "Creases",
+                               "Intersections", "Borders", "Contours", "Silhouette",   "underlay"};
     std::vector<Side> sides_;  // of an arc: left, right
 };
 

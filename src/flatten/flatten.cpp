@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "flatten/flatten.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "flatten/bark_strokes.h"
 #include "flatten/draw_flat.h"
 #include "flatten/make_map.h"
 
@@ -36,7 +38,17 @@ Flattened flatten(const Mesh& mesh, const FlattenParams& params, const FlattenIn
     SeenMesh seen = see_mesh(mesh, params, clock);
     const FlatPlace place = place_of(seen.view, params);
     result.frame = frame_of(seen.view, place);
+    Layer bark;
+    if (params.bark_mm > 0)
+        bark = draw_bark({mesh, seen.view, seen.tones, seen.rays}, params, inks, place);
     result.layers = draw_flat(std::move(seen.map), mesh.parts, params, inks, place, clock);
+    // Over the fills, under the lines.
+    if (!bark.children.empty()) {
+        const auto lines = std::find_if(result.layers.begin(), result.layers.end(),
+                                        [](const Layer& layer) { return layer.label != "Fills"; });
+        clock.end_step("bark", bark.children.size(), "strokes");
+        result.layers.insert(lines, std::move(bark));
+    }
     result.steps = clock.take();
     return result;
 }

@@ -2,6 +2,7 @@
 #include "flatten/draw_flat.h"
 
 #include <optional>
+#include <set>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -124,6 +125,25 @@ TEST(DrawFlat, KeepsTheContractInEveryLook) {
             EXPECT_EQ(check(drawing), std::vector<std::string>{});
         }
     }
+}
+
+TEST(DrawFlat, NamesPartsAsFilesMay) {
+    const std::vector<Card> cards{{scenes::rectangle({0, 0}, {10, 10}), 0, 0},
+                                  {scenes::rectangle({20, 0}, {30, 10}), 1, 0},
+                                  {scenes::rectangle({40, 0}, {50, 10}), 2, 0},
+                                  {scenes::rectangle({60, 0}, {70, 10}), 3, 0}};
+    std::vector<MeshPart> parts = scenes::parts_of(cards);
+    parts[0].name = "Lines", parts[1].name = "2nd branch", parts[2].name = "a b";
+    parts[3].name = "a-b";
+    StepClock clock;
+    Drawing drawing;
+    drawing.layers = draw_flat(scenes::map_of(cards), parts, {}, inks(), {{0, 0}, 1}, clock);
+    std::set<std::string> ids;
+    for (const Element& element : drawing.layers[0].children)
+        ids.insert(std::get<Shape>(element).id);
+    EXPECT_EQ(ids, (std::set<std::string>{"Lines-2", "part-2nd-branch", "a-b", "a-b-2"}));
+    drawing = on_page(std::move(drawing), {}, {});
+    EXPECT_EQ(check(drawing), std::vector<std::string>{});
 }
 
 bool same(const std::vector<Element>& a, const std::vector<Element>& b) {
