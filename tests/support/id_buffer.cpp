@@ -38,14 +38,13 @@ class DepthPainter {
         const Vec3 u = p[1] - p[0], v = p[2] - p[0];
         const double area = u.x * v.y - u.y * v.x;
         if (area == 0) return;
-        const auto [x0, x1] = std::minmax({p[0].x, p[1].x, p[2].x});
         const auto [y0, y1] = std::minmax({p[0].y, p[1].y, p[2].y});
         const int size = buffer_.size;
         for (int y = first_pixel(y0, size); y < first_pixel(y1, size); ++y) {
-            for (int x = first_pixel(x0, size); x < first_pixel(x1, size); ++x) {
+            const auto [left, right] = span(p, middle(y, size));
+            for (int x = first_pixel(left, size); x < first_pixel(right, size); ++x) {
                 const double dx = middle(x, size) - p[0].x, dy = middle(y, size) - p[0].y;
                 const double b = (dx * v.y - dy * v.x) / area, c = (u.x * dy - u.y * dx) / area;
-                if (b < 0 || c < 0 || b + c > 1) continue;
                 put(static_cast<std::size_t>(y * size + x), p[0].z + b * u.z + c * v.z, part);
             }
         }
@@ -53,6 +52,18 @@ class DepthPainter {
     IdBuffer take() { return std::move(buffer_); }
 
   private:
+    // Where a row, that meets no corner, cuts a triangle.
+    static std::pair<double, double> span(const std::array<Vec3, 3>& p, double y) {
+        double left = HUGE_VAL, right = -HUGE_VAL;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3 a = p[i], b = p[(i + 1) % 3];
+            if ((a.y < y) == (b.y < y)) continue;
+            const double x = a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y);
+            left = std::min(left, x), right = std::max(right, x);
+        }
+        return {left, right};
+    }
+
     // A step's difference is a tie.
     void put(std::size_t pixel, double z, std::uint32_t part) {
         const bool tie = std::abs(z - depth_[pixel]) <= 1;

@@ -63,12 +63,12 @@ void expect_agreement(const Mesh& mesh, const FlattenParams& params, int size) {
 }
 
 TEST(MakeMap, LabelsAreThoseOfADepthBufferForPrismsThatPassThroughEachOther) {
-    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    for (std::uint64_t seed = 1; seed <= 6; ++seed)
         expect_agreement(random_prisms(seed, 60), params_for(800), 800);
 }
 
 TEST(MakeMap, LabelsAreThoseOfADepthBufferInPerspective) {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         FlattenParams params = params_for(800);
         params.camera.projection = Projection::perspective;
         params.camera.field_of_view_rad = 1.2;
