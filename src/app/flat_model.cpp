@@ -11,6 +11,7 @@
 
 #include "app/flat_inks.h"
 #include "base/keyed_random.h"
+#include "base/stable_math.h"
 #include "geometry/bounds.h"
 
 namespace edaha {
@@ -106,6 +107,16 @@ class IdSettler {
     std::map<std::string, int> uses_;
 };
 
+LimbsPlace crown_on(const TrunkTop& top, const FlatFrame& frame, double trunk_mm) {
+    LimbsPlace place;
+    place.foot_mm = frame.flat_from_world(top.position);
+    const Vec2 way =
+        frame.flat_from_world(top.position + top.direction * top.radius) - place.foot_mm;
+    place.turn_rad = stable::atan2(way.x, -way.y);
+    place.scale = 2 * top.radius * frame.mm_per_unit_at(top.position) / trunk_mm;
+    return place;
+}
+
 }  // namespace
 
 FlatModel draw_model(const Style& style, double trunk_mm) {
@@ -116,14 +127,15 @@ FlatModel draw_model(const Style& style, double trunk_mm) {
     if (top && trunk_mm > 0 && params.mm_per_unit == 0)
         params.mm_per_unit = trunk_mm / (2 * top->radius);
     const Mesh& mesh = result.model.mesh;
-    result.flat = flatten(mesh, params, flat_inks(style.palette, mesh.materials));
+    FlattenInks inks = flat_inks(style.palette, mesh.materials);
+    if (top && trunk_mm > 0) {
+        for (Colour& tone : inks.tones[mesh.parts.front().material])
+            tone = style.palette.wood;
+    }
+    result.flat = flatten(mesh, params, inks);
     const FlatFrame& frame = result.flat.frame;
     result.stand = stand_of(result.model, frame);
-    if (top) {
-        result.top_mm = frame.flat_from_world(top->position);
-        result.top_turn_rad =
-            std::atan2(glm::dot(top->direction, frame.right), glm::dot(top->direction, frame.up));
-    }
+    if (top && trunk_mm > 0) result.crown = crown_on(*top, frame, trunk_mm);
     return result;
 }
 

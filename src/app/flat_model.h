@@ -6,6 +6,7 @@
 #include "app/model_mesh.h"
 #include "drawing/site.h"
 #include "energy/ground.h"
+#include "energy/move_limbs.h"
 #include "flatten/flatten.h"
 #include "ornament/ornament_params.h"
 
@@ -16,12 +17,11 @@ struct FlatModel {
     ModelMesh model;
     Flattened flat;
     Stand stand;
-    Vec2 top_mm{0};           // where a crown goes on,
-    double top_turn_rad = 0;  // and how far it leans to the right
+    LimbsPlace crown;  // where a crown goes on: on the trunk's end, its way, as wide
 };
 
 // `trunk_mm`: how thick the crown's trunk is; 0: there is none. The trunk of prop roots becomes as
-// thick if the style does not say the scale.
+// thick if the style does not say the scale, and is of one tone: the crown's shade begins above.
 FlatModel draw_model(const Style& style, double trunk_mm);
 
 // The mesh's places for twigs, as seen. Clumps are parts: boughs of order 2 with all they bear.

@@ -65,14 +65,16 @@ class PictureMaker {
     // On prop roots, if the style has any.
     void grow_by_energy() {
         const Skeleton skeleton = grow(style_.energy);
-        Limbs limbs = make_limbs(skeleton, style_.energy, style_.look);
+        LookParams look = style_.look;
+        if (makes_mesh(style_)) look.root_flare = 0;  // it has roots enough
+        Limbs limbs = make_limbs(skeleton, style_.energy, look);
         std::optional<FlatModel> base;
         if (makes_mesh(style_)) {
             base = draw_model(style_, 2 * limbs.nodes.front().half_width);
-            limbs = moved_limbs(std::move(limbs), base->top_mm, base->top_turn_rad);
+            limbs = moved_limbs(std::move(limbs), base->crown);
             count(*base);
         }
-        Wood wood = draw_wood(limbs, style_.look, style_.palette);
+        Wood wood = draw_wood(limbs, look, style_.palette);
         std::vector<Layer> behind, front;
         const Twigs twigs = twigs_of(limbs);
         for (const Dress& dress : dresses(style_))
@@ -111,10 +113,18 @@ class PictureMaker {
     // Below the layer `at`, with ids that are nobody else's.
     void insert_flat(std::vector<Layer> flat, std::size_t at) {
         if (flat.empty()) return;
+        if (has_model(style_.models, Model::prop_root)) name_roots(flat);
         std::vector<Layer>& layers = picture_.drawing.layers;
         settle_ids(flat, layers, picture_.drawing.symbols);
         layers.insert(layers.begin() + static_cast<std::ptrdiff_t>(at),
                       std::make_move_iterator(flat.begin()), std::make_move_iterator(flat.end()));
+    }
+
+    static void name_roots(std::vector<Layer>& flat) {
+        for (Layer& layer : flat) {
+            if (layer.label == "Fills") layer.label = "Roots";
+            if (layer.label == "Lines") layer.label = "Root lines";
+        }
     }
 
     Twigs twigs_of(const Limbs& limbs) const {

@@ -7,14 +7,16 @@
 
 namespace edaha {
 
-Limbs moved_limbs(Limbs limbs, Vec2 foot_mm, double turn_rad) {
-    const auto [sine, cosine] = stable::sin_cos(turn_rad);
+Limbs moved_limbs(Limbs limbs, const LimbsPlace& place) {
+    const auto [sine, cosine] = stable::sin_cos(place.turn_rad);
     const auto turned = [s = sine, c = cosine](Vec2 v) {
         return Vec2(c * v.x - s * v.y, s * v.x + c * v.y);
     };
     for (LimbNode& node : limbs.nodes) {
-        node.position = foot_mm + turned(node.position);
+        node.position = place.foot_mm + turned(node.position) * place.scale;
         node.velocity = turned(node.velocity);
+        node.half_width *= place.scale;
+        node.chord *= place.scale;
     }
     return limbs;
 }

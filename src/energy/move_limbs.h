@@ -4,8 +4,13 @@
 
 namespace edaha {
 
-// A tree that stands elsewhere: its foot at `foot_mm` of the page, turned about it by `turn_rad`
-// (from straight up, positive to the right). Widths and lengths stay.
-Limbs moved_limbs(Limbs limbs, Vec2 foot_mm, double turn_rad);
+// Where a tree is set.
+struct LimbsPlace {
+    Vec2 foot_mm{0};      // on the page
+    double turn_rad = 0;  // about the foot, from straight up, positive to the right
+    double scale = 1;     // of lengths and widths
+};
+
+Limbs moved_limbs(Limbs limbs, const LimbsPlace& place);
 
 }  // namespace edaha

@@ -9,6 +9,7 @@ set(EDAHA_STYLES
   ginkgo
   maple
   oak
+  old-mangrove
   paper/energy-a-100-drop
   paper/energy-a-100-plain
   paper/energy-a-100-space
@@ -27,10 +28,15 @@ set(EDAHA_STYLES
   paper/energy-b-500-drop
   paper/energy-b-500-plain
   paper/energy-b-500-space
+  paper/prop-roots-4-1
+  paper/prop-roots-4-2
+  paper/prop-roots-4-3
+  paper/prop-roots-4-4
   poplar
   scots-pine
   willow
   winter
+  young-mangrove
   zelkova)
 set(EDAHA_LEAVES
   apple

@@ -16,22 +16,22 @@ TEST_P(Drawings, KeepTheContract) {
             ADD_FAILURE() << "seed " << seed << ": " << breach;
         for (const Problem& warning : picture.warnings)
             ADD_FAILURE() << "seed " << seed << ": " << to_string(warning);
-        EXPECT_GT(picture.counts.limbs, 0U) << "seed " << seed;
+        EXPECT_GT(picture.counts.limbs + picture.counts.parts, 0U) << "seed " << seed;
     }
 }
 
 // What a person would call them; ids are the same with - for a blank.
-const std::set<std::string> kLayerNames{"Ground",         "Wood behind",  "Leaves behind",
-                                        "Blossom behind", "Fruit behind", "Wood",
-                                        "Leaves",         "Blossom",      "Fruit"};
+const std::set<std::string> kLayerNames{
+    "Ground", "Wood behind", "Leaves behind", "Blossom behind", "Fruit behind", "Wood",
+    "Leaves", "Blossom",     "Fruit",         "Roots",          "Root lines"};
 
 TEST_P(Drawings, NameTheirLayers) {
     for (const std::uint64_t seed : seeds()) {
         const Picture picture = draw_tree(GetParam(), seed);
-        bool has_wood = false;
+        bool has_wood = false;  // or roots alone
         for (const Layer& layer : picture.drawing.layers) {
             EXPECT_TRUE(kLayerNames.contains(layer.label)) << layer.label;
-            has_wood |= layer.label == "Wood";
+            has_wood |= layer.label == "Wood" || layer.label == "Roots";
         }
         EXPECT_TRUE(has_wood) << "seed " << seed;
     }
