@@ -161,7 +161,7 @@ void print_report(const FlatFile& flat, const Target& target, std::uint64_t byte
 
 void print_steps(const std::vector<StepReport>& steps, Console& console) {
     for (const StepReport& step : steps) {
-        console.err << fmt::format("{:<10} {:8.3f} s {:>10} {}\n", step.name, step.seconds,
+        console.err << fmt::format("{:<14} {:8.3f} s {:>10} {}\n", step.name, step.seconds,
                                    step.count, step.unit);
     }
 }
