@@ -174,6 +174,10 @@ Layer draw_ground(const Stand& stand, const LookParams& look, const Palette& pal
     reach = {std::max(reach.left, wide.left), std::max(reach.right, wide.right),
              std::max(reach.rise, 0.45 * depth), std::max(reach.sink, 0.55 * depth)};
     if (look.ground == Ground::water) {
+        // Room for the ripples round the trunk.
+        const double r = stand.foot_width_mm / 2;
+        reach = {std::max(reach.left, 4.5 * r), std::max(reach.right, 4.5 * r),
+                 std::max(reach.rise, 0.9 * r), std::max(reach.sink, 1.3 * r)};
         add_water(layer, stand, reach, palette);
     } else {
         add_under_roots(layer, stand, reach, look, palette);

@@ -69,6 +69,11 @@ TEST(Ground, WaterRipplesRoundEachRootAndTheTrunk) {
     for (const Footing& root : stand.roots)
         EXPECT_TRUE(box.contains(root.middle));
     EXPECT_TRUE(box.contains(stand.foot));
+    // A tree without such roots stands in the middle of its ripples, and these in the water.
+    const Layer pond = drawn(Ground::water, Stand{{0, 0}, 5, -2, 2, {}});
+    const Bounds all = bounds(shape_of(pond, 0).path), ring = bounds(shape_of(pond, 2).path);
+    EXPECT_TRUE(all.contains(ring.min));
+    EXPECT_TRUE(all.contains(ring.max));
 }
 
 }  // namespace
