@@ -98,8 +98,8 @@ void add_mesh(CLI::App& app, Options& options) {
     add_json(mesh, options);
     mesh.footer(
         "Examples:\n"
-        "  edaha mesh paper/prisms-mixed -o tree.obj\n"
-        "  edaha mesh paper/prisms-mixed --seed 7 -o tree.ply && edaha flatten tree.ply");
+        "  edaha mesh young-mangrove -o roots.obj\n"
+        "  edaha mesh young-mangrove --seed 7 -o roots.ply && edaha flatten roots.ply");
 }
 
 void add_measure(CLI::App& app, Options& options) {
