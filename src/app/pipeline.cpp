@@ -113,17 +113,18 @@ class PictureMaker {
     // Below the layer `at`, with ids that are nobody else's.
     void insert_flat(std::vector<Layer> flat, std::size_t at) {
         if (flat.empty()) return;
-        if (has_model(style_.models, Model::prop_root)) name_roots(flat);
+        const bool roots = has_model(style_.models, Model::prop_root);
+        name_layers(flat, roots ? "Root" : "Tree");
         std::vector<Layer>& layers = picture_.drawing.layers;
         settle_ids(flat, layers, picture_.drawing.symbols);
         layers.insert(layers.begin() + static_cast<std::ptrdiff_t>(at),
                       std::make_move_iterator(flat.begin()), std::make_move_iterator(flat.end()));
     }
 
-    static void name_roots(std::vector<Layer>& flat) {
+    static void name_layers(std::vector<Layer>& flat, const std::string& what) {
         for (Layer& layer : flat) {
-            if (layer.label == "Fills") layer.label = "Roots";
-            if (layer.label == "Lines") layer.label = "Root lines";
+            if (layer.label == "Fills") layer.label = what == "Root" ? "Roots" : what;
+            if (layer.label == "Lines") layer.label = what + " lines";
         }
     }
 

@@ -7,6 +7,9 @@ set(EDAHA_STYLES
   cypress
   fir
   ginkgo
+  low-poly-broadleaf
+  low-poly-pine
+  low-poly-spruce
   maple
   oak
   old-mangrove
@@ -28,6 +31,10 @@ set(EDAHA_STYLES
   paper/energy-b-500-drop
   paper/energy-b-500-plain
   paper/energy-b-500-space
+  paper/prisms-mixed
+  paper/prisms-random
+  paper/prisms-straight
+  paper/prisms-two-way
   paper/prop-roots-4-1
   paper/prop-roots-4-2
   paper/prop-roots-4-3

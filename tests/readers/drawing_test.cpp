@@ -22,16 +22,17 @@ TEST_P(Drawings, KeepTheContract) {
 
 // What a person would call them; ids are the same with - for a blank.
 const std::set<std::string> kLayerNames{
-    "Ground", "Wood behind", "Leaves behind", "Blossom behind", "Fruit behind", "Wood",
-    "Leaves", "Blossom",     "Fruit",         "Roots",          "Root lines"};
+    "Ground",     "Wood behind", "Leaves behind", "Blossom behind", "Fruit behind",
+    "Wood",       "Leaves",      "Blossom",       "Fruit",          "Roots",
+    "Root lines", "Tree",        "Tree lines"};
 
 TEST_P(Drawings, NameTheirLayers) {
     for (const std::uint64_t seed : seeds()) {
         const Picture picture = draw_tree(GetParam(), seed);
-        bool has_wood = false;  // or roots alone
+        bool has_wood = false;  // or roots alone, or all in one
         for (const Layer& layer : picture.drawing.layers) {
             EXPECT_TRUE(kLayerNames.contains(layer.label)) << layer.label;
-            has_wood |= layer.label == "Wood" || layer.label == "Roots";
+            has_wood |= layer.label == "Wood" || layer.label == "Roots" || layer.label == "Tree";
         }
         EXPECT_TRUE(has_wood) << "seed " << seed;
     }

@@ -32,9 +32,10 @@ TEST(Sheets, OfAllKindsReadTheSameAsSvgAndPdf) {
     book.add_page(sheet);
     book.finish();
     write_whole(folder / "sheet.pdf", bytes);
+    // Five pixels a millimetre: poppler draws no line thinner than one, and captions have many.
     const RunResult svg =
-        run("rsvg-convert -w 900 -o " + folder / "svg.png" + ' ' + folder / "sheet.svg");
-    const RunResult pdf = run("pdftocairo -png -singlefile -scale-to-x 900 -scale-to-y -1 " +
+        run("rsvg-convert -w 1500 -o " + folder / "svg.png" + ' ' + folder / "sheet.svg");
+    const RunResult pdf = run("pdftocairo -png -singlefile -scale-to-x 1500 -scale-to-y -1 " +
                               folder / "sheet.pdf" + ' ' + folder / "pdf");
     EXPECT_EQ(svg.out + svg.err + pdf.out + pdf.err, "");
     const ImageDifference difference = compare_images(folder / "svg.png", folder / "pdf.png");

@@ -84,6 +84,8 @@ ImageDifference compare(const Image& a, const Image& b) {
     result.mean = sum / static_cast<double>(std::max<std::size_t>(a.pixels.size(), 1));
     result.inked_mean = sum / static_cast<double>(std::max<std::size_t>(inked, 1));
     result.worst = worst;
+    result.inked =
+        static_cast<double>(inked) / static_cast<double>(std::max<std::size_t>(a.pixels.size(), 1));
     return result;
 }
 

@@ -10,6 +10,7 @@ struct ImageDifference {
     double mean = 1;        // over the whole picture
     double inked_mean = 1;  // over the pixels that are not paper in at least one of the two
     double worst = 1;       // the pixel that differs most
+    double inked = 0;       // share of the pixels that are not paper in at least one of the two
     std::string note;       // "640 x 480 against 640 x 479", or empty
 };
 
