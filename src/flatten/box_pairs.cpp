@@ -19,7 +19,7 @@ using Indices = std::vector<std::uint32_t>;
 constexpr std::size_t kCrowd = 48;
 constexpr double kBundle = 0.7;
 
-bool overlap(const ViewBox& a, const ViewBox& b) {
+bool overlap(const TriangleBox& a, const TriangleBox& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
            a.min.z <= b.max.z && b.min.z <= a.max.z;
 }
@@ -33,7 +33,7 @@ constexpr GridBox kEverywhere{{-kGridLimit, -kGridLimit}, {kGridLimit, kGridLimi
 
 class PairFinder {
   public:
-    explicit PairFinder(std::span<const ViewBox> boxes) : boxes_(boxes) {}
+    explicit PairFinder(std::span<const TriangleBox> boxes) : boxes_(boxes) {}
 
     struct Cells {
         CellGrid grid;
@@ -46,7 +46,7 @@ class PairFinder {
         GridBox all;
         double area = 0, sides = 0;
         for (const std::uint32_t i : items) {
-            const ViewBox& box = boxes_[i];
+            const TriangleBox& box = boxes_[i];
             all.include(on_screen(box.min)), all.include(on_screen(box.max));
             const double width = double(box.max.x) - box.min.x,
                          height = double(box.max.y) - box.min.y;
@@ -91,7 +91,7 @@ class PairFinder {
   private:
     template <typename Visit>
     void visit_cells(const CellGrid& grid, std::uint32_t item, const Visit& visit) const {
-        const ViewBox& box = boxes_[item];
+        const TriangleBox& box = boxes_[item];
         const std::int64_t right = std::min(grid.column(box.max.x), grid.columns - 1);
         const std::int64_t bottom = std::min(grid.row(box.max.y), grid.rows - 1);
         const std::int64_t top = std::max<std::int64_t>(grid.row(box.min.y), 0);
@@ -106,9 +106,9 @@ class PairFinder {
     void compare_all(std::span<const std::uint32_t> items, const GridBox& within,
                      Pairs& found) const {
         for (std::size_t i = 0; i < items.size(); ++i) {
-            const ViewBox& a = boxes_[items[i]];
+            const TriangleBox& a = boxes_[items[i]];
             for (std::size_t j = i + 1; j < items.size(); ++j) {
-                const ViewBox& b = boxes_[items[j]];
+                const TriangleBox& b = boxes_[items[j]];
                 if (!overlap(a, b)) continue;
                 const std::int32_t x = std::max(a.min.x, b.min.x), y = std::max(a.min.y, b.min.y);
                 if (x < within.min.x || x > within.max.x || y < within.min.y || y > within.max.y)
@@ -118,12 +118,12 @@ class PairFinder {
         }
     }
 
-    std::span<const ViewBox> boxes_;
+    std::span<const TriangleBox> boxes_;
 };
 
 }  // namespace
 
-Pairs overlapping_pairs(std::span<const ViewBox> boxes) {
+Pairs overlapping_pairs(std::span<const TriangleBox> boxes) {
     Indices all(boxes.size());
     std::iota(all.begin(), all.end(), 0U);
     const PairFinder finder(boxes);

@@ -33,7 +33,7 @@ std::uint64_t cell_of(Vec2 p, int column = 0, int row = 0) {
 
 // Points along a stroke no more than a step apart.
 template <typename Visit>
-void walk(const Stroke& stroke, const Visit& visit) {
+void walk(const ViewStroke& stroke, const Visit& visit) {
     for (const CurvePiece& piece : stroke.pieces) {
         const Cubic& c = piece.curve;
         const double reach =
@@ -44,7 +44,7 @@ void walk(const Stroke& stroke, const Visit& visit) {
     }
 }
 
-double length_of(const Stroke& stroke) {
+double length_of(const ViewStroke& stroke) {
     double length = 0;
     std::optional<Vec2> before;
     walk(stroke, [&](Vec2 p) {
@@ -56,12 +56,12 @@ double length_of(const Stroke& stroke) {
 
 class Coverage {
   public:
-    Coverage(const std::vector<Stroke>& strokes, const FlattenParams& params, double mm_per_px)
+    Coverage(const std::vector<ViewStroke>& strokes, const FlattenParams& params, double mm_per_px)
         : strokes_(strokes) {
         length_.resize(strokes.size());
         for_each_index(strokes.size(), kWorthThreads,
                        [&](std::size_t i) { length_[i] = length_of(strokes[i]); });
-        for (const Stroke& stroke : strokes)
+        for (const ViewStroke& stroke : strokes)
             half_width_.push_back(
                 std::min(width_mm(params, stroke.kind) / 2 / mm_per_px, kCell_px - kStep_px));
         collect();
@@ -122,20 +122,20 @@ class Coverage {
         return false;
     }
 
-    const std::vector<Stroke>& strokes_;
+    const std::vector<ViewStroke>& strokes_;
     std::vector<double> length_, half_width_;  // a stroke: pixels
     std::vector<Sample> samples_;
 };
 
 }  // namespace
 
-std::vector<Stroke> drop_covered(std::vector<Stroke> strokes, const FlattenParams& params,
-                                 double mm_per_px) {
+std::vector<ViewStroke> drop_covered(std::vector<ViewStroke> strokes, const FlattenParams& params,
+                                     double mm_per_px) {
     const Coverage coverage(strokes, params, mm_per_px);
     std::vector<std::uint8_t> covered(strokes.size());
     for_each_index(strokes.size(), kWorthThreads,
                    [&](std::size_t i) { covered[i] = coverage.is_covered(i); });
-    std::vector<Stroke> kept;
+    std::vector<ViewStroke> kept;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         if (!covered[i]) kept.push_back(std::move(strokes[i]));
     }

@@ -164,8 +164,8 @@ class PairCutter {
     std::vector<FinePoint> fine_;
 };
 
-ViewBox box_of(const View& view, const Triangle& triangle) {
-    ViewBox box{view.at[triangle[0]], view.at[triangle[0]]};
+TriangleBox box_of(const View& view, const Triangle& triangle) {
+    TriangleBox box{view.at[triangle[0]], view.at[triangle[0]]};
     for (const std::uint32_t point : {triangle[1], triangle[2]}) {
         const ViewPoint p = view.at[point];
         box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
@@ -182,7 +182,7 @@ Crossings intersect_shown(const View& view, const Mesh& mesh) {
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
         if (view.shown[i]) shown.push_back(i);
     }
-    std::vector<ViewBox> boxes(shown.size());
+    std::vector<TriangleBox> boxes(shown.size());
     for_each_index(shown.size(), 10'000,
                    [&](std::size_t i) { boxes[i] = box_of(view, triangles[shown[i]]); });
     const auto pairs = overlapping_pairs(boxes);

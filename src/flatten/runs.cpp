@@ -89,7 +89,7 @@ RunSet follow_partners(const ArcSet& arcs, std::span<const std::uint32_t> partne
     return Follower(arcs, partner).follow(wanted);
 }
 
-RunSet join_arcs(const ArcGraph& graph, const RunParams& params) {
+RunSet join_arcs(const ArcGraph& graph, const JoinParams& params) {
     const std::size_t count = graph.arcs.arcs.size();
     std::vector<std::uint8_t> wanted(count);
     for (std::size_t a = 0; a < count; ++a)

@@ -29,7 +29,7 @@ struct RunSet {
 RunSet follow_partners(const ArcSet& arcs, std::span<const std::uint32_t> partner,
                        std::span<const std::uint8_t> wanted);
 
-struct RunParams {
+struct JoinParams {
     double window = 2;      // directions are judged over this length, in the map's steps
     double most_turn = 25;  // degrees: sharper turns end a run
 };
@@ -37,6 +37,6 @@ struct RunParams {
 // What is to be fitted as one curve: at every node the two arcs that continue each other best, and
 // no others, belong to one run; at a T-junction they are the outline of what lies in front. Between
 // equally good pairs that of one kind counts. Arcs that vanished are in no run. O(E log E).
-RunSet join_arcs(const ArcGraph& graph, const RunParams& params);
+RunSet join_arcs(const ArcGraph& graph, const JoinParams& params);
 
 }  // namespace edaha

@@ -62,14 +62,14 @@ bool turns_back(const CurvePiece& in, const CurvePiece& out) {
 }
 
 // The parts of a stroke between places where it turns back.
-std::vector<Stroke> without_reversals(Stroke&& stroke) {
+std::vector<ViewStroke> without_reversals(ViewStroke&& stroke) {
     std::vector<CurvePiece>& pieces = stroke.pieces;
     std::vector<std::size_t> cuts;
     for (std::size_t i = stroke.closed ? 0 : 1; i < pieces.size(); ++i) {
         if (turns_back(pieces[(i + pieces.size() - 1) % pieces.size()], pieces[i]))
             cuts.push_back(i);
     }
-    std::vector<Stroke> parts;
+    std::vector<ViewStroke> parts;
     if (cuts.empty()) {
         parts.push_back(std::move(stroke));
         return parts;
@@ -110,7 +110,7 @@ class Chainer {
         }
     }
 
-    std::vector<Stroke> chain() {
+    std::vector<ViewStroke> chain() {
         spokes_ = spokes_of(graph_, wanted_, kWindow_px * picture_.map.steps_per_px);
         partner_.assign(2 * arcs_.arcs.size(), kNone);
         visit_nodes(spokes_, [&](std::span<const Spoke> spokes) { pair(spokes); });
@@ -264,12 +264,12 @@ class Chainer {
         return width + turn;
     }
 
-    std::vector<Stroke> collect() const {
+    std::vector<ViewStroke> collect() const {
         const RunSet chains = follow_partners(arcs_, partner_, wanted_);
         std::vector<std::uint32_t> degree(picture_.map.map.nodes.size(), 0);
         for (const Spoke& spoke : spokes_)
             ++degree[spoke.node];
-        std::vector<Stroke> all(chains.runs.size());
+        std::vector<ViewStroke> all(chains.runs.size());
         for_each_index(all.size(), 256, [&](std::size_t i) {
             const Run& run = chains.runs[i];
             all[i] = stroke_of(chains.of(run), run.closed);
@@ -277,9 +277,9 @@ class Chainer {
             all[i].joined = degree[graph_.start_node(chains.of(run).front())] > 1 &&
                             degree[graph_.end_node(chains.of(run).back())] > 1;
         });
-        std::vector<Stroke> strokes;
-        for (Stroke& chain : all) {
-            for (Stroke& stroke : without_reversals(std::move(chain))) {
+        std::vector<ViewStroke> strokes;
+        for (ViewStroke& chain : all) {
+            for (ViewStroke& stroke : without_reversals(std::move(chain))) {
                 if (length_mm(stroke) >= shortest_mm(stroke)) strokes.push_back(std::move(stroke));
             }
         }
@@ -287,19 +287,19 @@ class Chainer {
     }
 
     // What lies between two lines is covered by their round ends if it is no longer than wide.
-    double shortest_mm(const Stroke& stroke) const {
+    double shortest_mm(const ViewStroke& stroke) const {
         if (!stroke.joined) return params_.min_line_mm;
         return std::min(params_.min_line_mm, width_mm(params_, stroke.kind));
     }
 
-    Stroke stroke_of(std::span<const ArcUse> uses, bool closed) const {
+    ViewStroke stroke_of(std::span<const ArcUse> uses, bool closed) const {
         std::vector<CurveSpan> spans;
         std::array<double, 8> share{};
         for (const ArcUse& use : uses) {
             spans.push_back(picture_.curves.span(use));
             share[static_cast<std::size_t>(line_of(use.arc))] += graph_.length(use.arc);
         }
-        Stroke stroke;
+        ViewStroke stroke;
         stroke.pieces = tied(pieces_along(picture_.curves, spans));
         stroke.closed = closed;
         stroke.kind =
@@ -308,7 +308,7 @@ class Chainer {
     }
 
     // Within a few hundredths: the mean of chords and control polygons.
-    double length_mm(const Stroke& stroke) const {
+    double length_mm(const ViewStroke& stroke) const {
         double sum = 0;
         for (const CurvePiece& piece : stroke.pieces) {
             const Cubic& c = piece.curve;
@@ -335,7 +335,7 @@ class StrokePainter {
     StrokePainter(const FlatPicture& picture, const FlattenParams& params, const FlattenInks& inks)
         : picture_(picture), params_(params), inks_(inks) {}
 
-    Layer paint(const std::vector<Stroke>& strokes) const {
+    Layer paint(const std::vector<ViewStroke>& strokes) const {
         std::vector<Shape> shapes(strokes.size());
         for_each_index(strokes.size(), 256,
                        [&](std::size_t i) { shapes[i] = shape_of(strokes[i]); });
@@ -352,9 +352,9 @@ class StrokePainter {
     }
 
     // What lies behind: thin and dashed.
-    Layer paint_hidden(const std::vector<Stroke>& strokes) const {
+    Layer paint_hidden(const std::vector<ViewStroke>& strokes) const {
         Layer layer{"Hidden lines", {Ink::none(), inks_.hidden, kHiddenWidth_mm, kDash_mm}, {}};
-        for (const Stroke& stroke : strokes) {
+        for (const ViewStroke& stroke : strokes) {
             Shape shape = plain(stroke);
             if (shape.path.verbs.size() > 1) layer.children.emplace_back(std::move(shape));
         }
@@ -374,14 +374,14 @@ class StrokePainter {
     static constexpr double kHiddenWidth_mm = 0.15;
     static constexpr double kDash_mm = 0.9;
 
-    Shape plain(const Stroke& stroke) const {
+    Shape plain(const ViewStroke& stroke) const {
         Shape shape;
         append_pieces(shape.path, stroke.pieces, picture_.page_from_px);
         if (stroke.closed && !shape.path.empty()) shape.path.close();
         return shape;
     }
 
-    Shape shape_of(const Stroke& stroke) const {
+    Shape shape_of(const ViewStroke& stroke) const {
         if (params_.taper_mm <= 0 || stroke.closed) return plain(stroke);
         const TaperParams taper{width_mm(params_, stroke.kind) / picture_.mm_per_px,
                                 params_.taper_mm / picture_.mm_per_px};
@@ -415,8 +415,8 @@ double width_mm(const FlattenParams& params, LineKind kind) {
     }
 }
 
-std::vector<Stroke> chain_strokes(const FlatPicture& picture, const FlattenParams& params,
-                                  bool hidden) {
+std::vector<ViewStroke> chain_strokes(const FlatPicture& picture, const FlattenParams& params,
+                                      bool hidden) {
     return Chainer(picture, params, hidden).chain();
 }
 

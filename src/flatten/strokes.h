@@ -7,7 +7,7 @@
 namespace edaha {
 
 // One line of the drawing: arcs in a row, of kinds that go together.
-struct Stroke {
+struct ViewStroke {
     std::vector<CurvePiece> pieces;  // in pixels
     LineKind kind = LineKind::none;  // the one of most of it
     bool closed = false;
@@ -20,8 +20,8 @@ struct Stroke {
 // pieces that were left over go on round corners, at the cost of longer strokes. Lines whose
 // width is 0 are left out, as are strokes shorter than min_line_mm that don't connect others.
 // O(arcs).
-std::vector<Stroke> chain_strokes(const FlatPicture& picture, const FlattenParams& params,
-                                  bool hidden);
+std::vector<ViewStroke> chain_strokes(const FlatPicture& picture, const FlattenParams& params,
+                                      bool hidden);
 
 // As a layer "Lines" with groups by kind, thin ones below. With FlattenParams::taper_mm open
 // strokes become closed areas that thin out to points.

@@ -36,7 +36,7 @@ std::size_t count_shared_points(const Mesh& mesh) {
 }
 
 void count_edges(std::span<const MeshEdge> edges, MeshReport& report) {
-    for_each_edge_use(edges, [&](const EdgeUse& use) {
+    for_each_edge_use(edges, [&](const SideUse& use) {
         report.open_edges += use.triangles() == 1 ? 1 : 0;
         report.crowded_edges += use.triangles() > 2 ? 1 : 0;
         report.turned_edges += use.is_turned() ? 1 : 0;

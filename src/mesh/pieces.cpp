@@ -51,7 +51,7 @@ std::uint32_t some_triangle(const MeshEdge& edge) {
     return edge.left != kNone ? edge.left : edge.right;
 }
 
-void unite_neighbours(const EdgeUse& use, TurnedSets& sets) {
+void unite_neighbours(const SideUse& use, TurnedSets& sets) {
     if (use.triangles() != 2) return;
     if (use.is_turned()) {
         sets.unite(some_triangle(use.edges[0]), some_triangle(use.edges[1]), true);
@@ -71,7 +71,7 @@ double volume_below(const Mesh& mesh, const Triangle& t, const Vec3& from) {
 Pieces find_pieces(const Mesh& mesh, std::span<const MeshEdge> edges) {
     const std::size_t count = mesh.triangles.size();
     TurnedSets sets(count);
-    for_each_edge_use(edges, [&](const EdgeUse& use) { unite_neighbours(use, sets); });
+    for_each_edge_use(edges, [&](const SideUse& use) { unite_neighbours(use, sets); });
     Pieces pieces;
     pieces.root.resize(count);
     pieces.is_turned.resize(count);
@@ -85,7 +85,7 @@ Pieces find_pieces(const Mesh& mesh, std::span<const MeshEdge> edges) {
         const double volume = volume_below(mesh, mesh.triangles[t], from);
         pieces.volume[root] += turned != 0 ? -volume : volume;
     }
-    for_each_edge_use(edges, [&](const EdgeUse& use) {
+    for_each_edge_use(edges, [&](const SideUse& use) {
         if (use.triangles() % 2 == 0 && (use.triangles() == 2 || use.left == use.right)) return;
         for (const MeshEdge& edge : use.edges) {
             for (const std::uint32_t t : {edge.left, edge.right}) {

@@ -22,7 +22,7 @@ struct Pieces {
 Pieces find_pieces(const Mesh& mesh, std::span<const MeshEdge> edges);
 
 // What is told of one pair of points by all its MeshEdges.
-struct EdgeUse {
+struct SideUse {
     std::span<const MeshEdge> edges;
     std::size_t left = 0, right = 0;  // triangles
 
@@ -33,7 +33,7 @@ struct EdgeUse {
 template <typename Visit>
 void for_each_edge_use(std::span<const MeshEdge> edges, const Visit& visit) {
     for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
-        EdgeUse use;
+        SideUse use;
         for (; end < edges.size() && edges[end].a == edges[i].a && edges[end].b == edges[i].b;
              ++end) {
             use.left += edges[end].left != kNone ? 1 : 0;

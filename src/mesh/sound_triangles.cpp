@@ -40,7 +40,7 @@ bool is_sound(const Mesh& mesh, std::size_t triangle) {
 std::vector<std::uint32_t> find_double_triangles(const Mesh& mesh,
                                                  std::span<const MeshEdge> edges) {
     std::vector<std::uint32_t> candidates;
-    for_each_edge_use(edges, [&](const EdgeUse& use) {
+    for_each_edge_use(edges, [&](const SideUse& use) {
         if (std::max(use.left, use.right) < 2) return;
         for (const MeshEdge& edge : use.edges) {
             for (const std::uint32_t t : {edge.left, edge.right}) {

@@ -21,7 +21,7 @@ struct CentredArc {
 
 // SVG 1.1, F.6.5 and F.6.6: with the ellipse made a unit circle, the chord's half `h` gives the
 // centre at a distance sqrt(1 - |h|^2) on the chord's normal.
-CentredArc centred(const Arc& arc) {
+CentredArc centred(const EllipseArc& arc) {
     const auto [sin, cos] = stable::sin_cos(std::fmod(arc.x_axis_deg, 360) * (kPi / 180));
     const Vec2 half = (arc.to - arc.from) * 0.5;
     Vec2 radii(std::abs(arc.radii.x), std::abs(arc.radii.y));
@@ -45,7 +45,7 @@ CentredArc centred(const Arc& arc) {
 
 }  // namespace
 
-void add_arc(Path& path, const Arc& arc) {
+void add_arc(Path& path, const EllipseArc& arc) {
     constexpr double kNoRadius = 1e-100;  // the squares of chord / radius stay finite above it
     if (arc.from == arc.to) return;
     if (std::abs(arc.radii.x) < kNoRadius || std::abs(arc.radii.y) < kNoRadius) {

@@ -138,7 +138,7 @@ class PathReader {
     }
 
     void read_arc() {
-        Arc arc;
+        EllipseArc arc;
         arc.from = current_;
         arc.radii.x = number();
         scanner_.skip_comma();

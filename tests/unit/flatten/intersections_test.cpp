@@ -22,15 +22,15 @@ std::vector<ViewSegment> crossings(const Mesh& mesh, View view) {
     return intersect_shown(view, mesh).segments;
 }
 
-bool overlap(const ViewBox& a, const ViewBox& b) {
+bool overlap(const TriangleBox& a, const TriangleBox& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
            a.min.z <= b.max.z && b.min.z <= a.max.z;
 }
 
 // Boxes of all sizes, many of them in one corner.
-std::vector<ViewBox> random_boxes(std::uint64_t seed, std::uint32_t count) {
+std::vector<TriangleBox> random_boxes(std::uint64_t seed, std::uint32_t count) {
     const KeyedRandom random(0, seed, 1);
-    std::vector<ViewBox> boxes;
+    std::vector<TriangleBox> boxes;
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto number = [&](std::uint32_t purpose, double most) {
             return static_cast<std::int32_t>(most * std::pow(random.uniform(i, purpose), 3));
@@ -44,7 +44,7 @@ std::vector<ViewBox> random_boxes(std::uint64_t seed, std::uint32_t count) {
 
 TEST(BoxPairs, AreThoseThatAllAgainstAllFinds) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        const std::vector<ViewBox> boxes = random_boxes(seed, 1500);
+        const std::vector<TriangleBox> boxes = random_boxes(seed, 1500);
         std::vector<std::array<std::uint32_t, 2>> expected;
         for (std::uint32_t i = 0; i < boxes.size(); ++i) {
             for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {

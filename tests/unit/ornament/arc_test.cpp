@@ -13,7 +13,7 @@
 namespace edaha {
 namespace {
 
-Path draw(const Arc& arc) {
+Path draw(const EllipseArc& arc) {
     Path path;
     path.move_to(arc.from);
     add_arc(path, arc);
@@ -52,7 +52,7 @@ double quarter_error() {
     return most;
 }
 
-TEST(Arc, AQuarterIsOffTheCircleByTheCubicsKnownError) {
+TEST(EllipseArc, AQuarterIsOffTheCircleByTheCubicsKnownError) {
     const Path path = draw({{13, 4}, {10, 7}, {3, 3}, 0, false, true});
     EXPECT_EQ(path.verbs.size(), 2U);
     const Deviation off = deviation(path, {10, 4}, 3);
@@ -61,7 +61,7 @@ TEST(Arc, AQuarterIsOffTheCircleByTheCubicsKnownError) {
     EXPECT_GT(off.least, -1e-12);
 }
 
-TEST(Arc, FlagsChooseAmongTheFourArcs) {
+TEST(EllipseArc, FlagsChooseAmongTheFourArcs) {
     // From (1, 0) to (0, 1) on a unit circle about (0, 0) or (1, 1); y points down.
     const double quarter = std::numbers::pi / 2;
     for (const bool large : {false, true}) {
@@ -75,7 +75,7 @@ TEST(Arc, FlagsChooseAmongTheFourArcs) {
     }
 }
 
-TEST(Arc, TooSmallRadiiGrowUntilTheyReach) {
+TEST(EllipseArc, TooSmallRadiiGrowUntilTheyReach) {
     const Path path = draw({{0, 0}, {10, 0}, {1, 1}, 0, false, true});
     const Deviation off = deviation(path, {5, 0}, 5);
     EXPECT_LT(off.most, 3e-4);
@@ -83,7 +83,7 @@ TEST(Arc, TooSmallRadiiGrowUntilTheyReach) {
     EXPECT_LT(path.points[3].y, 0);  // sweep: from +x to +y, so over the top
 }
 
-TEST(Arc, TheEllipseTurnsWithItsAxis) {
+TEST(EllipseArc, TheEllipseTurnsWithItsAxis) {
     // A whole ellipse of two halves, 4 by 2, its long axis at 30 degrees.
     const double angle = std::numbers::pi / 6;
     const Vec2 end(4 * std::cos(angle), 4 * std::sin(angle));
@@ -99,7 +99,7 @@ TEST(Arc, TheEllipseTurnsWithItsAxis) {
     });
 }
 
-TEST(Arc, WithoutRadiusItIsALineAndWithoutChordNothing) {
+TEST(EllipseArc, WithoutRadiusItIsALineAndWithoutChordNothing) {
     EXPECT_EQ(draw({{0, 0}, {1, 1}, {0, 5}, 0, false, true}).verbs.back(), Verb::line);
     EXPECT_EQ(draw({{1, 1}, {1, 1}, {5, 5}, 0, true, true}).verbs.size(), 1U);
 }
