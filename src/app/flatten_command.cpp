@@ -89,7 +89,7 @@ Mesh read_and_mend(const std::string& file, bool z_up, FlatFile& result) {
     result.steps.push_back({"read", watch.lap(), result.triangles, "triangles"});
     result.report = validate(mesh);
     for (const std::string& line : result.report.lines())
-        result.warnings.push_back(file + ": " + line);
+        result.warnings.push_back(fmt::format("{}: {}", file, line));
     if (!result.report.sound()) mesh = mend(std::move(mesh));
     result.steps.push_back({"check", watch.lap(), result.report.pieces, "pieces"});
     if (mesh.triangles.empty()) {

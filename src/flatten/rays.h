@@ -35,7 +35,7 @@ class RayScene {
 
     // A sixteenth of a pixel: less, and a steep surface hides its own edges; more, and thin sheets
     // don't hide what is behind them.
-    static constexpr float kNear = kStepsPerPx / 16;
+    static constexpr float kNear = kStepsPerPx / 16.0F;
 
   private:
     struct State;

@@ -76,7 +76,7 @@ class PrismGrowth {
         for (Vec2& corner : trunk.base.corners)
             corner = rotated(corner, heading);
         finish(trunk, 1);
-        add(std::move(trunk), 1);
+        add(trunk, 1);
     }
 
     void branch(std::int32_t parent) {
@@ -87,7 +87,7 @@ class PrismGrowth {
             std::optional<Prism> prism = place(parent, from, shoot, own_factor);
             if (prism) {
                 grown_.prisms[static_cast<std::size_t>(parent)].last = false;
-                add(std::move(*prism), own_factor);
+                add(*prism, own_factor);
             } else {
                 ++grown_.dropped;
             }
@@ -144,7 +144,7 @@ class PrismGrowth {
                           " prisms; lower prism.depth or raise the limit");
         }
         if (params_.interference) standing_.add(prism.corners, prism.parent);
-        grown_.prisms.push_back(std::move(prism));
+        grown_.prisms.push_back(prism);
         factors_.push_back(factor);
     }
 

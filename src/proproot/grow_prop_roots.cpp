@@ -113,13 +113,13 @@ class RootGrowth {
         for (int i = 0; i < attempts; ++i) {
             const auto attempt = static_cast<std::uint32_t>(i);
             PropRoot root = bud.parent < 0 ? draw_primary(bud, attempt) : draw_child(bud, attempt);
-            if (!params_.apart) return out_.roots.push_back(std::move(root));
+            if (!params_.apart) return out_.roots.push_back(root);
             const auto self = static_cast<std::int32_t>(out_.roots.size());
             const RootBody body{self, root.parent, joint_of(root)};
             const std::vector<LinePoint> line = root_line(root, params_);
             if (!space_.free(line, body)) continue;
             space_.add(line, body);
-            return out_.roots.push_back(std::move(root));
+            return out_.roots.push_back(root);
         }
         ++out_.removed;
     }
