@@ -70,7 +70,7 @@ Reach reach_of_roots(const Stand& stand) {
         const Vec2 off = root.middle - stand.foot;
         const double x = off.x / (off.x < 0 ? reach.left : reach.right);
         const double y = off.y / (off.y < 0 ? reach.rise : reach.sink);
-        farthest = std::max(farthest, std::hypot(x, y));
+        farthest = std::max(farthest, std::sqrt(x * x + y * y));
     }
     const double room = 1.08 * farthest;
     return {room * reach.left, room * reach.right, room * reach.rise, room * reach.sink};
@@ -85,7 +85,8 @@ Path streaks(Vec2 middle, const Reach& reach) {
         const double u = std::fmod(0.31 + i * kGolden, 1.0), v = (i + 0.5) / kStreaks;
         const double y = -0.82 * reach.rise + v * 0.82 * (reach.rise + reach.sink);
         // Within the lens, which narrows to its upper and lower edges.
-        const double room = std::sqrt(1 - std::pow(y / (y < 0 ? reach.rise : reach.sink), 2));
+        const double part = y / (y < 0 ? reach.rise : reach.sink);
+        const double room = std::sqrt(1 - part * part);
         const double x = (u < 0.5 ? reach.left : reach.right) * (2 * u - 1) * 0.8 * room;
         const double half = (0.05 + 0.07 * v) * (reach.left + reach.right) * room;
         const double thick = 0.012 * (reach.rise + reach.sink) * (0.7 + v);
