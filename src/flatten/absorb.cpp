@@ -5,12 +5,12 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "base/disjoint_sets.h"
 #include "base/parallel.h"
 
 namespace edaha {
@@ -48,12 +48,7 @@ class Absorber {
     }
 
   private:
-    std::uint32_t root(std::uint32_t face) {
-        while (parent_[face] != face)
-            face = parent_[face] = parent_[parent_[face]];
-        return face;
-    }
-    std::uint32_t region_left_of(std::uint32_t h) { return root(map_.face_of(h)); }
+    std::uint32_t region_left_of(std::uint32_t h) { return sets_.find(map_.face_of(h)); }
     double edge_length(std::uint32_t h) const {
         return glm::distance(to_vec(map_.nodes[map_.origin(h)]),
                              to_vec(map_.nodes[map_.target(h)]));
@@ -61,19 +56,16 @@ class Absorber {
     bool is_background(std::uint32_t region) const { return label_[region].part == kNone; }
 
     void join_equal_faces() {
-        parent_.resize(map_.faces());
-        std::iota(parent_.begin(), parent_.end(), 0U);
+        sets_ = DisjointSets(map_.faces());
         for (std::uint32_t h = 0; h < map_.next.size(); h += 2) {
             const std::uint32_t a = map_.face_of(h), b = map_.face_of(h + 1);
             const bool parted = by_lines_ && result_.line[h / 2] < LineKind::tone;
-            if (result_.labels[a] == result_.labels[b] && !parted) join(root(a), root(b));
+            if (result_.labels[a] == result_.labels[b] && !parted) sets_.unite(a, b);
         }
-        for (std::uint32_t face = 0; face < parent_.size(); ++face)
-            parent_[face] = root(face);
+        region_.resize(map_.faces());
+        for (std::uint32_t face = 0; face < region_.size(); ++face)
+            region_[face] = sets_.find(face);
     }
-
-    // The lower index stays: face 0 is always its region's root.
-    void join(std::uint32_t a, std::uint32_t b) { parent_[std::max(a, b)] = std::min(a, b); }
 
     // Edges between regions, once.
     struct Border {
@@ -86,14 +78,14 @@ class Absorber {
         borders_ =
             gather<Border>(map_.edges.size(), [&](std::size_t e, std::vector<Border>& found) {
                 const auto h = static_cast<std::uint32_t>(2 * e);
-                const std::uint32_t a = parent_[map_.face_of(h)], b = parent_[map_.face_of(h + 1)];
+                const std::uint32_t a = region_[map_.face_of(h)], b = region_[map_.face_of(h + 1)];
                 if (a != b) found.push_back({h, a, b, edge_length(h)});
             });
         area_.assign(map_.faces(), 0);
         border_.assign(map_.faces(), 0);
         sky_border_.assign(map_.faces(), 0);
         for (const PlanarMap::Loop& loop : map_.loops)
-            area_[parent_[loop.face]] += loop.area;
+            area_[region_[loop.face]] += loop.area;
         area_[0] = std::numeric_limits<double>::infinity();
         for (const Border& border : borders_) {
             border_[border.left] += border.length;
@@ -121,7 +113,7 @@ class Absorber {
         last_edge_.assign(map_.faces(), kNone);
         next_edge_.assign(map_.next.size(), kNone);
         for (std::uint32_t face = 1; face < map_.faces(); ++face) {
-            if (parent_[face] == face && is_small(face)) wait(face);
+            if (region_[face] == face && is_small(face)) wait(face);
         }
         for (const Border& border : borders_) {
             if (waits_[border.left]) append_edges(border.left, border.half_edge, border.half_edge);
@@ -170,7 +162,7 @@ class Absorber {
         const float depth = depth_[other];
         const bool other_waits = waits_[other] != 0;
         waits_[other] = 0;
-        join(region, other);
+        sets_.unite(region, other);
         const std::uint32_t joined = std::min(region, other);
         area_[joined] = area_[region] + area_[other];
         border_[joined] = border_[other];  // roughly: it matters for thin regions alone
@@ -187,7 +179,7 @@ class Absorber {
     void relabel() {
         const std::vector<FaceLabel> before = result_.labels;
         for (std::uint32_t face = 0; face < map_.faces(); ++face) {
-            const std::uint32_t region = root(face);
+            const std::uint32_t region = sets_.find(face);
             if (before[face] == label_[region]) continue;
             result_.labels[face] = label_[region];
             result_.depth[face] = depth_[region];
@@ -203,7 +195,7 @@ class Absorber {
 
     void erase_lines() {
         for (const Border& border : borders_) {
-            if (root(border.left) == root(border.right))
+            if (sets_.find(border.left) == sets_.find(border.right))
                 result_.line[border.half_edge / 2] = LineKind::none;
         }
     }
@@ -212,7 +204,8 @@ class Absorber {
     const PlanarMap& map_;
     double min_area_, thinnest_;
     bool by_lines_;
-    std::vector<std::uint32_t> parent_;  // a face: towards its region's lowest face
+    DisjointSets sets_;                  // of faces: regions, by their lowest face
+    std::vector<std::uint32_t> region_;  // a face: its region before any was absorbed
     std::vector<FaceLabel> label_;       // a region, by its lowest face
     std::vector<float> depth_;
     std::vector<double> area_, border_, sky_border_;

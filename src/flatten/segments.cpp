@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "base/parallel.h"
-#include "flatten/facets.h"
+#include "mesh/facets.h"
 
 namespace edaha {
 namespace {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -11,33 +10,13 @@
 
 #include "base/parallel.h"
 #include "base/stable_math.h"
-#include "flatten/facets.h"
+#include "mesh/corner_groups.h"
+#include "mesh/facets.h"
 
 namespace edaha {
 namespace {
 
 constexpr std::size_t kWorthThreads = 10'000;
-
-// Corners of triangles, 3 a triangle, that share a normal.
-class CornerGroups {
-  public:
-    explicit CornerGroups(std::size_t triangles) : root_(3 * triangles) {
-        std::iota(root_.begin(), root_.end(), 0U);
-    }
-    std::uint32_t of(std::uint32_t corner) {
-        while (root_[corner] != corner)
-            corner = root_[corner] = root_[root_[corner]];
-        return corner;
-    }
-    // The smaller corner stands for both.
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = of(a), b = of(b);
-        root_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::uint32_t> root_;
-};
 
 class ToneMaker {
   public:
@@ -58,10 +37,7 @@ class ToneMaker {
     }
 
     std::vector<std::array<float, 3>> smooth(std::span<const MeshEdge> edges) const {
-        CornerGroups groups = group_corners(edges);
-        std::vector<std::uint32_t> group(3 * mesh_.triangles.size());
-        for (std::uint32_t i = 0; i < group.size(); ++i)
-            group[i] = groups.of(i);
+        const std::vector<std::uint32_t> group = group_corners(mesh_, edges, params_.crease_rad);
         std::vector<Vec3> normals = sum_normals(group);
         for (int round = 0; round < static_cast<int>(params_.tone_smoothing); ++round)
             normals = averaged(group, normals);
@@ -78,22 +54,6 @@ class ToneMaker {
     float brightness(Vec3 normal) const {
         const double length = glm::length(normal);
         return length > 0 ? static_cast<float>(glm::dot(normal, light_) / length) : 0.0F;
-    }
-
-    std::uint32_t corner(std::uint32_t triangle, std::uint32_t point) const {
-        const Triangle& t = mesh_.triangles[triangle];
-        return 3 * triangle + (t[0] == point ? 0U : t[1] == point ? 1U : 2U);
-    }
-
-    CornerGroups group_corners(std::span<const MeshEdge> edges) const {
-        const FacetAngle crease(params_.crease_rad);
-        CornerGroups groups(mesh_.triangles.size());
-        for (const MeshEdge& edge : edges) {
-            if (edge.left == kNone || edge.right == kNone || crease.is_sharp(mesh_, edge)) continue;
-            for (const std::uint32_t point : {edge.a, edge.b})
-                groups.join(corner(edge.left, point), corner(edge.right, point));
-        }
-        return groups;
     }
 
     // Weighted with the triangles' areas.
