@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "write/xml_writer.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cstring>
 
 #include "write/xml_text.h"
 
@@ -20,8 +18,7 @@ XmlWriter::XmlWriter(const Sink& sink, bool compact)
 
 inline void XmlWriter::put(std::string_view bytes) {
     if (bytes.size() >= kBufferBytes - used_) return put_split(bytes);
-    std::memcpy(buffer_.data() + used_, bytes.data(), bytes.size());
-    used_ += bytes.size();
+    used_ += bytes.copy(buffer_.data() + used_, bytes.size());
 }
 
 inline void XmlWriter::put(char byte) {
@@ -32,8 +29,7 @@ inline void XmlWriter::put(char byte) {
 // Every piece but the last is of the same size.
 void XmlWriter::put_split(std::string_view bytes) {
     while (!bytes.empty()) {
-        const std::size_t size = std::min(bytes.size(), kBufferBytes - used_);
-        std::memcpy(buffer_.data() + used_, bytes.data(), size);
+        const std::size_t size = bytes.copy(buffer_.data() + used_, kBufferBytes - used_);
         used_ += size;
         bytes.remove_prefix(size);
         if (used_ == kBufferBytes) send();
