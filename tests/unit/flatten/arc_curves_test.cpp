@@ -32,10 +32,14 @@ struct Fitted {
             is_outer[f] = map.labels[f].part == kNone;
         return make_arc_graph(map.map, kinds, {shortest_px * map.steps_per_px, is_outer});
     }
-    // The place where an arc starts.
+    // The place where an arc starts; on its run where it is too short to have pieces.
     Vec2 start(ArcUse use) const {
         const CurveSpan span = curves.span(use);
-        return pieces_along(curves, {&span, 1}).front().curve.p0;
+        const std::vector<CurvePiece> pieces = pieces_along(curves, {&span, 1});
+        if (!pieces.empty()) return pieces.front().curve.p0;
+        const std::vector<CurvePiece>& run = curves.runs[span.run].pieces;
+        const std::size_t i = std::min(static_cast<std::size_t>(span.from), run.size() - 1);
+        return eval(run[i].curve, span.from - static_cast<double>(i));
     }
 
     LabelledMap map;

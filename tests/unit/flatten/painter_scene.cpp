@@ -121,7 +121,8 @@ std::vector<Card> random_scene(int count, double side, std::uint64_t seed) {
                 {bar(from * 0.9 + to * 0.1, to * 0.9 + from * 0.1, width / 3), part, 0});
         } else if (kind < 0.8) {
             const Vec2 centre = place();
-            const Vec2 radii(2 + random() * side / 8, 2 + random() * side / 8);
+            const double across = 2 + random() * side / 8;
+            const Vec2 radii(across, 2 + random() * side / 8);
             cards.push_back({ellipse(centre, radii, 48), part, 1});
             cards.push_back({ellipse(centre + radii * 0.2, radii * 0.6, 40), part, 2});
         } else {
