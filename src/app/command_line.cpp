@@ -45,6 +45,8 @@ void add_gallery(CLI::App& app, Options& options) {
              "what the gallery holds; gallery/gallery.xml if left out");
     gallery.add_flag("--check", options.gallery.check,
                      "write nothing; name what is not as it would be drawn");
+    gallery.add_flag("--all", options.gallery.all, "draw what has not changed, too")
+        ->excludes("--check");
     add_text(gallery, "--jobs", options.gallery.jobs, "N", "pictures at a time; all processors");
     add_json(gallery, options);
     gallery.footer(

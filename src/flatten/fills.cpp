@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::size_t kWorthThreads = 64;
 constexpr double kTwig_px = 3;
+constexpr std::uint32_t kUnderlayTime = 0;  // before all parts
 
 // The rings of one label, outlines first.
 struct Area {
@@ -179,7 +180,7 @@ class FillPainter {
         const RegionRings outlines = trace_region_rings(map_, inside);
         Areas all = collect(outlines, [](std::uint32_t) { return true; });
         if (all.areas.empty()) return;
-        all.areas[0].time = ~0U;  // nothing is painted later: it ends where it ends
+        all.areas[0].time = kUnderlayTime;
         const PaintOrder::Part& part = order_.parts.front();
         Shape shape{"underlay", path_of(outlines, all.areas[0]), {colour(part, part.base), {}}};
         if (!shape.path.empty()) layer.children.emplace_back(std::move(shape));
@@ -202,9 +203,13 @@ class FillPainter {
         return order_.time(picture_.map.labels[map_.face_of(h)]);
     }
 
+    // Outwards under what is painted later. Inwards where the area itself is painted over up to its
+    // border: of two edges in one place the lower one would show through the upper one's pixels.
     double growth(ArcUse use, std::uint32_t time) const {
+        const Side& left = sides_[2 * use.arc + (use.forward ? 0 : 1)];
         const Side& right = sides_[2 * use.arc + (use.forward ? 1 : 0)];
-        return right.time > time ? std::min(trap_px_, 0.4 * double(right.width)) : 0;
+        if (right.time > time) return std::min(trap_px_, 0.4 * double(right.width));
+        return left.time > time ? -std::min(trap_px_, 0.4 * double(left.width)) : 0;
     }
 
     // How far an area painted at `time` may spread round the node that `spoke` leaves, on the side
@@ -244,9 +249,13 @@ class FillPainter {
             const std::size_t first = ring.size();
             for (const CurvePiece& piece : pieces_along(picture_.curves, spans))
                 ring.push_back({piece, by, GrownEnd::open, GrownEnd::open});
+            const ArcUse before = uses[(i + uses.size() - 1) % uses.size()];
+            const ArcUse after = uses[end % uses.size()];
+            if (by < 0 && ring.size() > first) {
+                if (growth(before, time) >= 0) ring[first].start = GrownEnd::butt;
+                if (growth(after, time) >= 0) ring.back().end = GrownEnd::butt;
+            }
             if (by > 0 && ring.size() > first) {
-                const ArcUse before = uses[(i + uses.size() - 1) % uses.size()];
-                const ArcUse after = uses[end % uses.size()];
                 ring[first].start = end_kind(graph.first_half_edge(uses[i]),
                                              twin(graph.last_half_edge(before)), false, time);
                 ring.back().end = end_kind(twin(graph.last_half_edge(uses[end - 1])),

@@ -22,8 +22,9 @@ Vec2 to_right(Vec2 direction) {
 Vec2 miter(Vec2 in, double by_in, Vec2 out, double by_out) {
     const Vec2 a = to_right(in), b = to_right(out);
     const double turn = a.x * b.y - a.y * b.x;
-    const double most = kMiterLimit * std::max(by_in, by_out);
-    if (std::abs(turn) < 1e-3) return a * std::max(by_in, by_out);
+    const double by = std::abs(by_in) > std::abs(by_out) ? by_in : by_out;
+    const double most = kMiterLimit * std::abs(by);
+    if (std::abs(turn) < 1e-3) return a * by;
     const Vec2 shift((by_in * b.y - by_out * a.y) / turn, (by_out * a.x - by_in * b.x) / turn);
     const double length = glm::length(shift);
     return length > most ? shift * (most / length) : shift;
@@ -59,9 +60,9 @@ std::vector<CurvePiece> grow_ring(std::span<const GrownPiece> ring) {
         Vec2& start = shifts[(i + 1) % ring.size()].start;
         const Vec2 way_in = end_direction(in.piece.curve);
         const Vec2 way_out = start_direction(out.piece.curve);
-        if (in.by > 0 && in.end == GrownEnd::butt) end = to_right(way_in) * in.by;
-        if (out.by > 0 && out.start == GrownEnd::butt) start = to_right(way_out) * out.by;
-        if (in.by > 0 && out.by > 0 && in.end == GrownEnd::open && out.start == GrownEnd::open) {
+        if (in.end == GrownEnd::butt) end = to_right(way_in) * in.by;
+        if (out.start == GrownEnd::butt) start = to_right(way_out) * out.by;
+        if (in.by * out.by > 0 && in.end == GrownEnd::open && out.start == GrownEnd::open) {
             start = end = miter(way_in, in.by, way_out, out.by);
         }
     }
@@ -70,9 +71,9 @@ std::vector<CurvePiece> grow_ring(std::span<const GrownPiece> ring) {
         const Cubic& c = ring[i].piece.curve;
         if (!result.empty() && result.back().curve.p3 != c.p0 + shifts[i].start)
             result.push_back({line_cubic(result.back().curve.p3, c.p0 + shifts[i].start), true, 0});
-        result.push_back(ring[i].by > 0 ? moved(ring[i], shifts[i]) : ring[i].piece);
+        result.push_back(ring[i].by != 0 ? moved(ring[i], shifts[i]) : ring[i].piece);
         const Vec2 next = ring[(i + 1) % ring.size()].piece.curve.p0;
-        const bool returns = ring[i].by > 0 && ring[i].end == GrownEnd::butt;
+        const bool returns = ring[i].by != 0 && ring[i].end == GrownEnd::butt;
         if (returns) result.push_back({line_cubic(result.back().curve.p3, next), true, 0});
     }
     return result;

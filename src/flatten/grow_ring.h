@@ -15,7 +15,7 @@ enum class GrownEnd : std::uint8_t {
 };
 
 // A piece of a closed ring and how far it is moved to its right (outwards, where the ring's inside
-// is on its left).
+// is on its left; below 0: inwards). What is not moved has open ends.
 struct GrownPiece {
     CurvePiece piece;
     double by = 0;

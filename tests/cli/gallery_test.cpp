@@ -45,6 +45,7 @@ TEST_F(GalleryCommand, DrawsAllThenNothing) {
            "trees/one.svg\ntrees/two.png\ntrees/two.svg\n",
            "");
     expect("edaha gallery --check", 0, "", "");
+    expect("edaha gallery --all", 0, "", "edaha: drew 3 of 3 pictures\n");
 }
 
 TEST_F(GalleryCommand, DrawsOnlyWhatChanged) {

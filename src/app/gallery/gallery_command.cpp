@@ -70,7 +70,7 @@ void report_update(const GalleryReport& report, std::size_t pictures, const Gall
 int make_gallery(const Options& options, Console& console) {
     const std::string& file = options.gallery.file;
     const GalleryPlace place{std::filesystem::path(file).parent_path(),
-                             parse_jobs(options.gallery.jobs)};
+                             parse_jobs(options.gallery.jobs), options.gallery.all};
     const Catalogue catalogue(console.user_folder);
     LeafShelf leaves(catalogue, place.folder);
     const Gallery gallery =

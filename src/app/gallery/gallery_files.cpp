@@ -115,14 +115,15 @@ struct Outcome {
     GalleryReport report;
 };
 
-Outcome update(const Plate& plate, const fs::path& folder, LeafShelf& leaves) {
+Outcome update(const Plate& plate, const GalleryPlace& place, LeafShelf& leaves) {
+    const fs::path& folder = place.folder;
     const PlateRecipes recipes = recipes_of(plate, leaves);
     const fs::path svg_file = folder / (plate.stem() + ".svg");
     const fs::path png_file = folder / (plate.stem() + ".png");
     const auto svg = read_if_there(svg_file), png = read_if_there(png_file);
     const bool is_there = svg && png && recorded_recipe(*svg, Format::svg) == recipes.svg &&
                           recorded_recipe(*png, Format::png) == recipes.png;
-    if (is_there) return {facts_of(plate, *svg, *png), {}};
+    if (is_there && !place.all) return {facts_of(plate, *svg, *png), {}};
     const PlateFiles files = draw_plate(plate, leaves);
     make_folder(folder / plate.page);
     write_whole(svg_file, files.svg);
@@ -188,9 +189,8 @@ GalleryReport run(const Gallery& gallery, const GalleryPlace& place, std::vector
 GalleryReport update_gallery(const Gallery& gallery, const GalleryPlace& place, LeafShelf& leaves) {
     refuse_to_replace(gallery, place.folder);
     std::vector<PlateFacts> facts;
-    GalleryReport report = run(gallery, place, facts, [&](const Plate& plate) {
-        return update(plate, place.folder, leaves);
-    });
+    GalleryReport report = run(gallery, place, facts,
+                               [&](const Plate& plate) { return update(plate, place, leaves); });
     for (const PageFile& file : gallery_pages(gallery, facts)) {
         if (read_if_there(place.folder / file.name) == file.text) continue;
         write_whole(place.folder / file.name, file.text);

@@ -24,7 +24,8 @@ struct GalleryReport {
 
 struct GalleryPlace {
     std::filesystem::path folder;
-    int jobs = 0;  // pictures at a time; 0: as many as there are processors
+    int jobs = 0;      // pictures at a time; 0: as many as there are processors
+    bool all = false;  // draw what records that it is up to date, too
 };
 
 // Draws the pictures whose files do not record that they are what would be drawn, and writes the

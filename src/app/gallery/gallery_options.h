@@ -9,6 +9,7 @@ struct GalleryOptions {
     std::string file = "gallery/gallery.xml";
     std::string jobs;
     bool check = false;
+    bool all = false;
 };
 
 }  // namespace edaha

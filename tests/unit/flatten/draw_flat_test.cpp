@@ -112,6 +112,30 @@ TEST(DrawFlat, PaintsWhatTheCardsShow) {
     }
 }
 
+// Of two edges in one place the lower one would show as a hairline.
+TEST(DrawFlat, EndsWhatIsPaintedOverBeforeWhatCoversIt) {
+    const std::vector<Card> cards{{scenes::rectangle({0, 0}, {40, 20}), 0, 1},
+                                  {scenes::rectangle({20, 0}, {40, 20}), 0, 2}};
+    FlattenParams params;
+    params.contour_mm = 0;  // no line hides anything: there is an underlay
+    const std::vector<Layer> layers = draw(cards, params);
+    const auto seen_to = [&](const Shape& shape, double x) {
+        return winding(shape.path, Vec2(x, 10) * kMmPerPx) != 0;
+    };
+    const double trap_px = params.trap_mm / kMmPerPx;
+    ASSERT_EQ(layers[0].children.size(), 2U);
+    const Shape& underlay = std::get<Shape>(layers[0].children[0]);
+    const Group& part = std::get<Group>(layers[0].children[1]);
+    const Shape& base = std::get<Shape>(part.children[0]);
+    const Shape& tone = std::get<Shape>(part.children[1]);
+    EXPECT_TRUE(seen_to(underlay, 0.1 + trap_px));
+    EXPECT_FALSE(seen_to(underlay, trap_px - 0.1));
+    EXPECT_TRUE(seen_to(base, 0.1));
+    EXPECT_TRUE(seen_to(base, 39.9 - trap_px));
+    EXPECT_FALSE(seen_to(base, 40.1 - trap_px));
+    EXPECT_TRUE(seen_to(tone, 39.9));
+}
+
 TEST(DrawFlat, KeepsTheContractInEveryLook) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         const std::vector<Card> cards = scenes::random_scene(80, 250, seed);

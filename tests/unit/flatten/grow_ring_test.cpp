@@ -50,6 +50,20 @@ TEST(GrowRing, GrowsOneSideWithSquareEnds) {
         EXPECT_EQ(grown[i].curve.p0, grown[i - 1].curve.p3);
 }
 
+TEST(GrowRing, ShrinksASquare) {
+    const std::vector<CurvePiece> shrunk = grow_ring(ring_of(kSquare, -0.5));
+    ASSERT_EQ(shrunk.size(), 4U);
+    EXPECT_NEAR(area(shrunk), 81, 1e-9);
+    EXPECT_EQ(shrunk[0].curve.p0, Vec2(0.5, 0.5));
+}
+
+TEST(GrowRing, DrawsOneSideInBesideOneThatGrows) {
+    std::vector<GrownPiece> ring = ring_of(kSquare, 0);
+    ring[1].by = -0.5, ring[2].by = 0.5;
+    ring[1].start = ring[1].end = ring[2].start = ring[2].end = GrownEnd::butt;
+    EXPECT_NEAR(area(grow_ring(ring)), 100, 1e-9);
+}
+
 TEST(GrowRing, LetsOneSideTaperToItsOwnEnds) {
     std::vector<GrownPiece> ring = ring_of(kSquare, 0);
     // One side in two halves: the first tapers at its start, the second at its end.
