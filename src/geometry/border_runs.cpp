@@ -33,6 +33,33 @@ bool stays_near(const std::vector<Vec2>& line, const std::vector<Vec2>& other, d
     });
 }
 
+// Area between two lines with common ends, as seen from their start.
+double area_between(const std::vector<Vec2>& line, const std::vector<Vec2>& other) {
+    const auto swept = [&](const std::vector<Vec2>& points) {
+        double sum = 0;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const Vec2 a = points[i - 1] - line[0], b = points[i] - line[0];
+            sum += (a.x * b.y - a.y * b.x) / 2;
+        }
+        return sum;
+    };
+    return std::abs(swept(line) - swept(other));
+}
+
+double length_of(const std::vector<Vec2>& line) {
+    double length = 0;
+    for (std::size_t i = 1; i < line.size(); ++i)
+        length += glm::distance(line[i - 1], line[i]);
+    return length;
+}
+
+// Two lines with common ends that run side by side: not a loop, and the same loop the other way
+// round.
+bool run_together(const std::vector<Vec2>& line, const std::vector<Vec2>& other, double reach) {
+    return stays_near(line, other, reach) && stays_near(other, line, reach) &&
+           area_between(line, other) <= reach * (length_of(line) + reach);
+}
+
 class RunFinder {
   public:
     RunFinder(const Cover& cover, std::span<const std::uint32_t> ring,
@@ -178,7 +205,7 @@ class RunFinder {
             if (std::abs(run.end - run.begin) + *chords > ring_length(run)) continue;
             const std::vector<Vec2> source = source_line(run, run.end, *chords);
             const std::vector<Vec2> border = border_line(run, runs_[j]);
-            if (stays_near(border, source, reach_) && stays_near(source, border, reach_)) return j;
+            if (run_together(border, source, reach_)) return j;
         }
         return 0;
     }

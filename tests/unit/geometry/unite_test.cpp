@@ -241,6 +241,19 @@ TEST(Unite, OutlinesThatWeaveAreFollowedOneAtATime) {
     }
 }
 
+// Round the loop between a curve and the closing line the border runs against its source: it is no
+// outline that weaves.
+TEST(Unite, LoopsThatTurnTheOtherWayKeepTheirArea) {
+    Path path;
+    path.move_to({6, 9.3});
+    path.cubic_to({1.8, 7.8}, {6.8, 9.2}, {3.75, 7.45});
+    path.cubic_to({0, 0}, {0.8, 0}, {3.9, 8.3});
+    path.close();
+    const Path result = unite(std::span(&path, 1));
+    expect_sound(result);
+    EXPECT_NEAR(signed_area(result), area_of_union(std::span(&path, 1), 1e-4), 2e-3);
+}
+
 TEST(Unite, HugeCoordinatesCoarsenTheGrid) {
     const Path result = united({box(0, 0, 3e6, 3e6), box(1e6, 1e6, 4e6, 4e6)});
     EXPECT_NEAR(signed_area(result), 14e12, 1e8);
