@@ -2,11 +2,15 @@
 // Flat drawings from mesh to pixels: our SVG, drawn by librsvg, against a depth buffer.
 #include "flatten/flatten.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "drawing/check.h"
+#include "geometry/walk_path.h"
 #include "support/id_buffer.h"
 #include "support/meshes.h"
 #include "support/run.h"
@@ -198,6 +202,111 @@ TEST(Flatten, SeamsWouldBeNoticed) {
     const View view = project(mesh, params.camera, params.resolution);
     Flattened flat = flatten(mesh, params, inks_of(mesh));
     EXPECT_GT(count_red(rendered(on_square_page(std::move(flat), view, params), true)), 1000U);
+}
+
+// Where another part is seen than to the right or below: the middle between both pixels.
+std::vector<Vec2> part_edges(const IdBuffer& ids) {
+    std::vector<Vec2> edges;
+    for (int y = 0; y < ids.size; ++y) {
+        for (int x = 0; x < ids.size; ++x) {
+            if (ids.at(x, y) != ids.at(x + 1, y)) edges.emplace_back(x + 1, y + 0.5);
+            if (ids.at(x, y) != ids.at(x, y + 1)) edges.emplace_back(x + 0.5, y + 1);
+        }
+    }
+    return edges;
+}
+
+// Points along all strokes that part what is seen, a third of a pixel apart: no creases.
+void append_points(const std::vector<Element>& elements, double px_per_mm,
+                   std::vector<Vec2>& points) {
+    for (const Element& element : elements) {
+        if (const auto* group = std::get_if<Group>(&element)) {
+            if (group->id != "Creases") append_points(group->children, px_per_mm, points);
+            continue;
+        }
+        walk_path(std::get<Shape>(element).path, [&](const PathSegment& segment) {
+            if (segment.verb == Verb::move) return;
+            const double length = glm::distance(segment.curve.p0, segment.curve.p3) * px_per_mm;
+            const int steps = 1 + static_cast<int>(3 * length);
+            for (int i = 0; i <= steps; ++i)
+                points.push_back(eval(segment.curve, double(i) / steps) * px_per_mm);
+        });
+    }
+}
+
+// Distances from each point to the nearest of the others, ascending; by cells of a pixel, up to 8.
+std::vector<double> distances(const std::vector<Vec2>& points, const std::vector<Vec2>& others) {
+    constexpr int kReach = 8;
+    std::map<std::pair<int, int>, std::vector<Vec2>> cells;
+    const auto cell = [](Vec2 p) { return std::pair(int(std::floor(p.x)), int(std::floor(p.y))); };
+    for (const Vec2 p : others)
+        cells[cell(p)].push_back(p);
+    std::vector<double> result;
+    for (const Vec2 p : points) {
+        double least = kReach;
+        const auto [x, y] = cell(p);
+        for (int ring = 0; ring <= kReach && least > ring - 1; ++ring) {
+            for (int i = -ring; i <= ring; ++i) {
+                for (int j = -ring; j <= ring; ++j) {
+                    if (std::max(std::abs(i), std::abs(j)) != ring) continue;
+                    const auto found = cells.find({x + i, y + j});
+                    if (found == cells.end()) continue;
+                    for (const Vec2 q : found->second)
+                        least = std::min(least, glm::distance(p, q));
+                }
+            }
+        }
+        result.push_back(least);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+struct StrokeDistances {
+    std::vector<double> of_strokes, of_edges;
+};
+
+// Both ways: of strokes from the depth buffer's edges, of these from strokes.
+StrokeDistances stroke_distances(const Mesh& mesh, const std::string& left_out) {
+    FlattenParams params = params_of(FlatLook::lines);
+    params.smoothing_px = 0;
+    params.min_line_mm = 0;
+    const View view = project(mesh, params.camera, params.resolution);
+    const double mm_per_px = params.size_mm / params.resolution;
+    Flattened flat = flatten(mesh, params, inks_of(mesh));
+    std::vector<Vec2> strokes;
+    const Vec2 middle = Vec2(kSize / 2.0) + view.origin / double(kStepsPerPx);
+    for (Layer& layer : flat.layers) {
+        std::erase_if(layer.children, [&](const Element& element) {
+            const auto* group = std::get_if<Group>(&element);
+            return group != nullptr && group->id == left_out;
+        });
+        append_points(layer.children, 1 / mm_per_px, strokes);
+    }
+    for (Vec2& point : strokes)
+        point += middle;
+    const std::vector<Vec2> edges = part_edges(paint_depth(mesh, view, kSize));
+    return {distances(strokes, edges), distances(edges, strokes)};
+}
+
+double percentile(const std::vector<double>& ascending, double share) {
+    return ascending.at(static_cast<std::size_t>(share * double(ascending.size() - 1)));
+}
+
+// Edges of pixels are half of one off; what is smaller than two square pixels joins a neighbour.
+TEST(Flatten, StrokesLieWhereADepthBufferHasEdgesAndNowhereElse) {
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+        const StrokeDistances d = stroke_distances(random_prisms(seed, 60), "");
+        EXPECT_LT(percentile(d.of_strokes, 0.95), 0.75) << seed;
+        EXPECT_LT(d.of_strokes.back(), 3) << seed;
+        EXPECT_LT(percentile(d.of_edges, 0.95), 0.75) << seed;
+        EXPECT_LT(d.of_edges.back(), 3) << seed;
+    }
+}
+
+TEST(Flatten, MissingStrokesAreNoticed) {
+    const StrokeDistances d = stroke_distances(random_prisms(1, 60), "Contours");
+    EXPECT_EQ(d.of_edges.back(), 8);
 }
 
 // The oracle sees a fault: a picture without one of its parts.

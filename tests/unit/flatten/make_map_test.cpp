@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "flatten/make_map.h"
 
+#include <algorithm>
 #include <map>
 #include <numbers>
 #include <set>
@@ -219,6 +220,94 @@ TEST(MakeMap, TheNumberOfThreadsChangesNothing) {
     EXPECT_EQ(one.map.labels, many.map.labels);
     EXPECT_EQ(one.map.depth, many.map.depth);
     EXPECT_EQ(one.map.line, many.map.line);
+}
+
+// Each triangle as four, through the middles of its sides.
+Mesh split_flat(const Mesh& mesh) {
+    Mesh split = mesh;
+    split.triangles.clear(), split.part_of.clear();
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+        const auto [known, is_new] =
+            middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(split.points.size()));
+        if (is_new) split.points.push_back((mesh.points[a] + mesh.points[b]) / 2.0);
+        return known->second;
+    };
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto& [a, b, c] = mesh.triangles[i];
+        const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+        for (const Triangle& t : {Triangle{a, ab, ca}, Triangle{b, bc, ab}, Triangle{c, ca, bc},
+                                  Triangle{ab, bc, ca}}) {
+            split.triangles.push_back(t);
+            split.part_of.push_back(mesh.part_of[i]);
+        }
+    }
+    return split;
+}
+
+// Middles lie on the grid: half a step off at most, so lines are as long and areas as large.
+TEST(MakeMap, SplittingFlatTrianglesChangesNothing) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        const Mesh mesh = random_prisms(seed, 40);
+        const SeenMesh whole = see(mesh, params_for(600));
+        const SeenMesh split = see(split_flat(mesh), params_for(600));
+        const auto expected = areas(whole.map), found = areas(split.map);
+        ASSERT_EQ(found.size(), expected.size());
+        for (const auto& [part, area] : expected)
+            EXPECT_NEAR(found.at(part), area, 0.5) << "part " << part;
+        for (const LineKind kind :
+             {LineKind::silhouette, LineKind::contour, LineKind::crease, LineKind::intersection}) {
+            const double length = length_px(whole.map, kind);
+            EXPECT_NEAR(length_px(split.map, kind), length, 1e-3 * length + 1);
+        }
+    }
+}
+
+TEST(MakeMap, MovingByWholeGridStepsMovesNothingInThePicture) {
+    Mesh mesh = random_prisms(3, 40);
+    for (Vec3& point : mesh.points)  // so that sums with whole numbers are exact
+        point = glm::floor(point * 0x1p20) * 0x1p-20;
+    const SeenMesh here = see(mesh, params_for(600));
+    for (Vec3& point : mesh.points)
+        point += Vec3(16, -8, 32);
+    const SeenMesh there = see(mesh, params_for(600));
+    EXPECT_EQ(here.map.map.nodes, there.map.map.nodes);
+    EXPECT_EQ(here.map.labels, there.map.labels);
+    EXPECT_EQ(here.map.line, there.map.line);
+    EXPECT_NE(here.view.origin, there.view.origin);
+}
+
+// A torus seen at an elevation e is outlined by an ellipse with half axes R and R sin e, grown by
+// r: Steiner's formula gives its area. High up the hole is the ellipse less r. Low down the hole is
+// closed, and of the parallel line inside, one stretch between cusps is seen as a contour.
+TEST(MakeMap, ATorusHasTheAreaOfSteinersFormulaAndAContourFromCuspToCusp) {
+    const double radius = 3, tube = 1;
+    for (const double elevation : {0.15, 1.3}) {
+        FlattenParams params = params_for(1000);
+        params.camera = {};
+        params.camera.elevation_rad = elevation;
+        const SeenMesh seen = see(torus(radius, tube, 300, 150), params);
+        const double flat = radius * std::sin(elevation);
+        double around = 0, inside = 0;  // lengths of the ellipse; of the parallel between cusps
+        constexpr int kSteps = 10'000;
+        for (int i = 0; i < kSteps; ++i) {
+            const double t = 2 * std::numbers::pi * (i + 0.5) / kSteps;
+            const double speed = std::hypot(radius * std::sin(t), flat * std::cos(t));
+            const double bend = speed * speed * speed / (radius * flat);  // radius of curvature
+            const double step = speed * 2 * std::numbers::pi / kSteps;
+            around += step;
+            inside += bend > tube ? step * (1 - tube / bend) : 0;
+        }
+        const bool open = elevation > 1;
+        const double expected = open ? 2 * tube * around  // both sides of the ellipse
+                                     : std::numbers::pi * radius * flat + tube * around +
+                                           std::numbers::pi * tube * tube;
+        const double px = params.resolution / (2 * (radius + tube));
+        EXPECT_NEAR(areas(seen.map).at(0), expected * px * px, 0.001 * expected * px * px);
+        // The far half hides behind the near one. Edges of a mesh zigzag along its contour.
+        const double contour = length_px(seen.map, LineKind::contour) / px;
+        EXPECT_NEAR(contour, open ? 0 : inside / 2, 0.06 * inside / 2);
+    }
 }
 
 TEST(MakeMap, OpenSheetsHaveBordersAndAnInside) {
