@@ -29,13 +29,16 @@ void expect_within_page(const Box& box, const Drawing& drawing) {
     EXPECT_LE((box.y + box.height) * kMmOfPixel, drawing.height_mm + kRounding_mm);
 }
 
+// Of all readers the slowest by far: a quarter of the seeds, all of them where EDAHA_SEEDS says so.
+constexpr std::size_t kSeeds = 5;
+
 // One process opens all the seeds, since its start takes longer than a file. It is asked for the
 // box that each drawing fills, strokes included: ours must be within the page by its measure too.
 TEST_P(Inkscape, OpensEverySeedWithoutAMessage) {
     const TemporaryFolder folder;
     std::string files;
     std::vector<Drawing> drawings;
-    for (const std::uint64_t seed : seeds()) {
+    for (const std::uint64_t seed : seeds(kSeeds)) {
         drawings.push_back(draw_tree(GetParam(), seed).drawing);
         const std::string file = folder / (std::to_string(seed) + ".svg");
         write_whole(file, in_format(drawings.back(), Format::svg));
@@ -48,7 +51,7 @@ TEST_P(Inkscape, OpensEverySeedWithoutAMessage) {
     EXPECT_EQ(result.out, "");
     std::istringstream numbers(result.err);
     for (std::size_t i = 0; i < drawings.size(); ++i) {
-        SCOPED_TRACE("seed " + std::to_string(seeds()[i]));
+        SCOPED_TRACE("seed " + std::to_string(seeds(kSeeds)[i]));
         Box box;
         ASSERT_TRUE(numbers >> box) << result.err;
         expect_within_page(box, drawings[i]);
