@@ -46,7 +46,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 // Triangles in space, between the 3D models (or a file) and flatten(). Right-handed, y up, any
 // unit. A triangle's points run counter-clockwise seen from outside. Points belong to one part:
-// parts that touch share none, so that closed parts stay closed (validate() in mesh_check.h).
+// parts that touch share none, so that closed parts stay closed (validate() in mesh_check.h). Only
+// where the parts divide one closed surface among them do they share the points between.
 struct Mesh {
     std::vector<Vec3> points;
     std::vector<Triangle> triangles;

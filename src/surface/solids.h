@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "surface/surface_params.h"
+
+namespace edaha {
+
+// A body in space: an obstacle (section 8) or the region of a hollow (section 7).
+class Solid {
+  public:
+    explicit Solid(const SolidParams& params);
+
+    // Signed, below 0 inside; exact.
+    double distance(const Vec3& p) const;
+    bool contains(const Vec3& p) const { return distance(p) < 0; }
+    // Of length 1, away from the nearest point of the surface: the distance's gradient.
+    Vec3 outward(const Vec3& p) const;
+    std::int64_t step() const { return params_.step; }
+
+  private:
+    SolidParams params_;
+    std::vector<Vec3> corners_;  // of a wire
+};
+
+// The way of a wire: level, where the run from its first to its last corner is not.
+std::vector<Vec3> wire_corners(const SolidParams& wire);
+
+// The least distance to any of them that is there at `step`; infinite without any.
+double least_distance(std::span<const Solid> solids, std::int64_t step, const Vec3& p);
+
+// How deep a triangle reaches into them, sampled `spacing` apart; below 0 if it does not.
+double deepest(std::span<const Solid> solids, std::int64_t step, const Vec3& a, const Vec3& b,
+               const Vec3& c, double spacing);
+
+}  // namespace edaha
