@@ -30,12 +30,16 @@ void add_draw(CLI::App& app, Options& options) {
     add_tree(draw, options.tree);
     add_output(draw, options, "FORMAT", "svg, svgz, pdf, png or eps");
     add_write(draw, options.write);
+    add_text(draw, "--frames", options.frames, "N",
+             "surface growth: so many pictures of it, FILE-001 and on, all on one page");
+    draw.add_flag("--stats", options.stats, "tell what each step made, and its time");
     add_json(draw, options);
     draw.footer(
         "Examples:\n"
         "  edaha draw cherry\n"
         "  edaha draw oak --seed 7 --set growth.energy=800 -o oak.pdf\n"
-        "  edaha draw oak.svg --palette dark -o dark.svg");
+        "  edaha draw oak.svg --palette dark -o dark.svg\n"
+        "  edaha draw old-oak --frames 24 -o grow.svg");
 }
 
 void add_gallery(CLI::App& app, Options& options) {
@@ -83,7 +87,7 @@ void add_flatten(CLI::App& app, Options& options) {
     add_page(flatten, tree);
     add_output(flatten, options, "FORMAT", "svg, svgz, pdf, png or eps");
     add_write(flatten, options.write);
-    flatten.add_flag("--stats", options.flatten.stats, "tell what each step made, and its time");
+    flatten.add_flag("--stats", options.stats, "tell what each step made, and its time");
     add_json(flatten, options);
     flatten.footer(
         "Examples:\n"
@@ -93,8 +97,8 @@ void add_flatten(CLI::App& app, Options& options) {
 }
 
 void add_mesh(CLI::App& app, Options& options) {
-    CLI::App& mesh =
-        *app.add_subcommand("mesh", "write the mesh of a tree of prisms or prop roots");
+    CLI::App& mesh = *app.add_subcommand(
+        "mesh", "write the mesh of a tree of prisms, prop roots or surface growth");
     add_tree(mesh, options.tree);
     add_output(mesh, options, "MESHFORMAT", "obj (with its materials in a file .mtl) or ply");
     add_json(mesh, options);

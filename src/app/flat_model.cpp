@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -119,9 +120,13 @@ LimbsPlace crown_on(const TrunkTop& top, const FlatFrame& frame, double trunk_mm
 
 }  // namespace
 
-FlatModel draw_model(const Style& style, double trunk_mm) {
+FlatModel draw_model(const Style& style, double trunk_mm, const SurfaceWatch& watch) {
+    return draw_model(style, make_model_mesh(style, watch), trunk_mm);
+}
+
+FlatModel draw_model(const Style& style, ModelMesh model, double trunk_mm) {
     FlatModel result;
-    result.model = make_model_mesh(style);
+    result.model = std::move(model);
     FlattenParams params = style.flatten;
     const std::optional<TrunkTop>& top = result.model.top;
     if (top && trunk_mm > 0 && params.mm_per_unit == 0)
@@ -157,6 +162,29 @@ std::vector<Site> sites(const FlatModel& model) {
         site.terminal = true;
         site.back = glm::dot(sprig.position, frame.to_eye) < 0;
         result.push_back(site);
+    }
+    return result;
+}
+
+std::vector<SprigPlace> sprig_places(const FlatModel& model) {
+    const Mesh& mesh = model.model.mesh;
+    const FlatFrame& frame = model.flat.frame;
+    const std::vector<Site> places = sites(model);
+    double reach = 1e-9;  // of the crown towards the eye
+    for (const SprigSite& sprig : mesh.sites)
+        reach = std::max(reach, std::abs(glm::dot(sprig.position - frame.middle, frame.to_eye)));
+    std::vector<SprigPlace> result;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const SprigSite& sprig = mesh.sites[i];
+        SprigPlace place;
+        place.site = places[i];
+        const double away = glm::dot(sprig.direction, frame.to_eye);
+        place.seen = std::sqrt(std::max(0.0, 1 - away * away));
+        place.depth = glm::dot(sprig.position - frame.middle, frame.to_eye);
+        place.size_mm = sprig.size * frame.mm_per_unit_at(sprig.position);
+        // Mostly by the side that it leaves its branch on, and a little by the branch's own.
+        place.site.back = 0.6 * away + 0.4 * place.depth / reach < 0;
+        result.push_back(place);
     }
     return result;
 }

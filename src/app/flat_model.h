@@ -9,6 +9,7 @@
 #include "energy/move_limbs.h"
 #include "flatten/flatten.h"
 #include "ornament/ornament_params.h"
+#include "ornament/place_sprigs.h"
 
 namespace edaha {
 
@@ -22,10 +23,16 @@ struct FlatModel {
 
 // `trunk_mm`: how thick the crown's trunk is; 0: there is none. The trunk of prop roots becomes as
 // thick if the style does not say the scale, and is of one tone: the crown's shade begins above.
-FlatModel draw_model(const Style& style, double trunk_mm);
+FlatModel draw_model(const Style& style, double trunk_mm, const SurfaceWatch& watch = {});
+
+// Of meshes that are there.
+FlatModel draw_model(const Style& style, ModelMesh model, double trunk_mm);
 
 // The mesh's places for twigs, as seen. Clumps are parts: boughs of order 2 with all they bear.
 std::vector<Site> sites(const FlatModel& model);
+
+// The same for sprigs. Those stand behind the wood that leave it on its far side.
+std::vector<SprigPlace> sprig_places(const FlatModel& model);
 
 // Makes ids of all shapes and groups XML names, and other than each other and than `taken`.
 void settle_ids(std::vector<Layer>& layers, const std::vector<Layer>& taken,

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <ostream>
 #include <utility>
@@ -15,6 +13,7 @@
 #include "app/output_file.h"
 #include "app/picture_file.h"
 #include "app/shell_word.h"
+#include "app/step_times.h"
 #include "app/version.h"
 #include "base/fingerprint.h"
 #include "drawing/page.h"
@@ -24,18 +23,6 @@
 
 namespace edaha {
 namespace {
-
-// Times what is done, step by step.
-class Stopwatch {
-  public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        return std::chrono::duration<double>(now - std::exchange(from_, now)).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point from_ = std::chrono::steady_clock::now();
-};
 
 // A mesh from its file to its picture, with all that is told of the way.
 struct FlatFile {
@@ -148,22 +135,9 @@ void print_report(const FlatFile& flat, const Target& target, std::uint64_t byte
     json["triangles"] = flat.triangles;
     json["parts"] = flat.parts;
     json["mesh"] = json_of(flat.report);
-    json["steps"] = nlohmann::ordered_json::array();
-    for (const StepReport& step : flat.steps) {
-        json["steps"].push_back({{"name", step.name},
-                                 {"seconds", std::round(step.seconds * 1e6) / 1e6},
-                                 {"count", step.count},
-                                 {"unit", step.unit}});
-    }
+    json["steps"] = json_of(flat.steps);
     json["warnings"] = flat.warnings;
     console.out << json.dump(2) << '\n';
-}
-
-void print_steps(const std::vector<StepReport>& steps, Console& console) {
-    for (const StepReport& step : steps) {
-        console.err << fmt::format("{:<14} {:8.3f} s {:>10} {}\n", step.name, step.seconds,
-                                   step.count, step.unit);
-    }
 }
 
 }  // namespace
@@ -186,7 +160,7 @@ int flatten_file(const Options& options, Console& console) {
     for (const std::string& warning : flat.warnings)
         console.err << "edaha: warning: " << warning << '\n';
     if (options.output.empty()) console.err << "edaha: wrote " << target.file << '\n';
-    if (options.flatten.stats) print_steps(flat.steps, console);
+    if (options.stats) print_steps(flat.steps, console);
     if (options.json) print_report(flat, target, report.bytes, console);
     return 0;
 }

@@ -9,8 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/growth_watch.h"
 #include "app/leaf_shelf.h"
 #include "app/overlap.h"
+#include "app/surface_report.h"
 #include "app/tree_style.h"
 #include "drawing/statistics.h"
 #include "style/value.h"
@@ -46,6 +48,10 @@ void add_model_counts(Json& json, const TreeCounts& counts) {
         json["prisms_dropped"] = counts.prisms->dropped;
         json["foliage"] = counts.prisms->foliage;
     }
+    if (counts.surface) {
+        add_to_json(json, *counts.surface);
+        json["sprigs"] = counts.sprigs;
+    }
     if (counts.roots) {
         json["roots"] = counts.roots->roots;
         json["roots_by_order"] = counts.roots->by_order;
@@ -62,10 +68,10 @@ void add_energy_counts(Json& json, const TreeCounts& counts) {
     json["mean_turn_deg"] = rounded(counts.mean_turn_rad * 180 / std::numbers::pi);
 }
 
-Json measurements(const Style& style, const Catalogue& catalogue) {
+Json measurements(const Style& style, const Catalogue& catalogue, const SurfaceWatch& watch) {
     LeafShelf leaves(catalogue);
     const LeafLoader load_leaf = leaves.loader();
-    const Picture picture = draw_picture(style, load_leaf);
+    const Picture picture = draw_picture(style, load_leaf, watch);
     Style solid = style;
     solid.look.wood = Look::solid;
     const DrawingCounts counts = count(picture.drawing);
@@ -93,7 +99,10 @@ Json measurements(const Style& style, const Catalogue& catalogue) {
 int measure(const Options& options, Console& console) {
     const Catalogue catalogue(console.user_folder);
     const Style style = read_tree_style(options.tree, catalogue, console).style;
-    const Json json = measurements(style, catalogue);
+    const Json json = [&] {
+        GrowthWatch growth(style, console);
+        return measurements(style, catalogue, growth.watch());
+    }();
     if (options.json) {
         console.out << json.dump(2) << '\n';
         return 0;

@@ -7,9 +7,11 @@
 
 #include "app/commands.h"
 #include "app/flat_inks.h"
+#include "app/growth_watch.h"
 #include "app/mesh_file.h"
 #include "app/model_mesh.h"
 #include "app/output_file.h"
+#include "app/surface_report.h"
 #include "app/tree_style.h"
 #include "base/atomic_file.h"
 #include "mesh/obj.h"
@@ -82,6 +84,7 @@ void print_report(const ModelMesh& model, const MeshTarget& target, const TreeSt
     json["points"] = model.mesh.points.size();
     json["triangles"] = model.mesh.triangles.size();
     json["parts"] = model.mesh.parts.size();
+    if (model.surface) add_to_json(json, *model.surface);
     console.out << json.dump(2) << '\n';
 }
 
@@ -96,10 +99,13 @@ int write_mesh(const Options& options, Console& console) {
     if (!makes_mesh(tree.style)) {
         throw IoError(
             fmt::format("{} grows by energy, which makes no mesh (expected a style of "
-                        "prisms or prop roots)",
+                        "prisms, prop roots or surface growth)",
                         in_quotes(tree.style.name)));
     }
-    ModelMesh model = make_model_mesh(tree.style);
+    ModelMesh model = [&] {
+        GrowthWatch growth(tree.style, console);
+        return make_model_mesh(tree.style, growth.watch());
+    }();
     for (Material& material : model.mesh.materials)
         material.colour = middle_tone(tree.style.palette, material);
     write_mesh_files(model.mesh, target, console);

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/obstacle_mesh.h"
 #include "mesh/add_mesh.h"
 
 namespace edaha {
@@ -53,10 +54,29 @@ KeyedRandom random_of(const Style& style) {
 }
 
 bool makes_mesh(const Style& style) {
-    return has_model(style.models, Model::prism) || has_model(style.models, Model::prop_root);
+    return std::ranges::any_of(style.models, [](Model model) { return model != Model::energy; });
 }
 
-ModelMesh make_model_mesh(const Style& style) {
+ModelMesh model_of(const Style& style, SurfaceTree tree, std::int64_t step) {
+    ModelMesh model;
+    model.mesh = std::move(tree.mesh);
+    model.surface = tree.report;
+    // A mesh of one kind: all of it has (u,v), or nothing.
+    if (!style.surface.obstacles.empty()) model.mesh.uv.resize(model.mesh.triangles.size());
+    std::size_t number = 0;
+    for (const SolidParams& obstacle : style.surface.obstacles) {
+        Mesh solid = obstacle_mesh(obstacle, "obstacle-" + std::to_string(++number));
+        solid.uv.resize(solid.triangles.size());
+        if (obstacle.step <= step) add_mesh(model.mesh, solid, {});
+    }
+    return model;
+}
+
+ModelMesh make_model_mesh(const Style& style, const SurfaceWatch& watch) {
+    if (has_model(style.models, Model::surface)) {
+        SurfaceTree tree = grow_surface(style.surface, random_of(style), watch);
+        return model_of(style, std::move(tree), style.surface.steps);
+    }
     ModelMesh model;
     const KeyedRandom random = random_of(style);
     if (has_model(style.models, Model::prop_root)) add_roots(model, style, random);

@@ -9,6 +9,7 @@
 #include "prism/prism_tree.h"
 #include "proproot/prop_root_mesh.h"
 #include "style/style.h"
+#include "surface/grow_surface.h"
 
 namespace edaha {
 
@@ -30,6 +31,7 @@ struct ModelMesh {
     std::optional<PrismCounts> prisms;
     std::optional<RootCounts> roots;
     std::vector<RootFoot> root_feet;
+    std::optional<SurfaceReport> surface;
     std::optional<TrunkTop> top;  // of prop roots: where a crown goes on
 };
 
@@ -38,7 +40,11 @@ KeyedRandom random_of(const Style& style);
 bool makes_mesh(const Style& style);
 
 // Empty if no model makes one. Prisms stand on the trunk of prop roots if there are any, as thick
-// as that. Errors: IoError, as the models' own.
-ModelMesh make_model_mesh(const Style& style);
+// as that. A tree whose surface grows stands first, obstacles that are seen behind it. Errors:
+// IoError, as the models' own. `watch` is told of surface growth.
+ModelMesh make_model_mesh(const Style& style, const SurfaceWatch& watch = {});
+
+// Of one step of a tree whose surface grows.
+ModelMesh model_of(const Style& style, SurfaceTree tree, std::int64_t step);
 
 }  // namespace edaha

@@ -54,7 +54,6 @@ struct BatchOptions {
 struct FlattenOptions {
     std::string model;
     std::string up;
-    bool stats = false;
 };
 
 struct Options {
@@ -63,6 +62,7 @@ struct Options {
     GalleryOptions gallery;
     BatchOptions batch;
     FlattenOptions flatten;
+    std::string frames;  // of draw
     std::string output;
     std::string format;
     std::string topic;               // of explain
@@ -70,6 +70,7 @@ struct Options {
     std::vector<std::string> files;  // of check
     bool force = false;
     bool json = false;
+    bool stats = false;
     bool names = false;
     bool markdown = false;
     bool schema = false;

@@ -6,7 +6,9 @@
 #include <iterator>
 #include <utility>
 
+#include "app/dress.h"
 #include "app/flat_model.h"
+#include "app/sprigs.h"
 #include "drawing/page.h"
 #include "energy/grow.h"
 #include "energy/move_limbs.h"
@@ -16,24 +18,6 @@
 
 namespace edaha {
 namespace {
-
-// One kind of ornament of a style, with its tones and the salt of its random numbers.
-struct Dress {
-    const OrnamentParams& params;
-    Tones tones;
-    const char* label;
-    std::uint32_t salt;
-};
-
-std::vector<Dress> dresses(const Style& style) {
-    const Palette& p = style.palette;
-    return {{style.leaf, {p.leaf_light, p.leaf, p.leaf_shade, p.leaf_back}, "Leaves", 0},
-            {style.blossom,
-             {p.blossom_light, p.blossom, p.blossom_shade, p.blossom_back},
-             "Blossom",
-             1},
-            {style.fruit, {p.fruit_light, p.fruit, p.fruit_shade, p.fruit_back}, "Fruit", 2}};
-}
 
 // Where ornaments may sit.
 struct Twigs {
@@ -50,14 +34,24 @@ class PictureMaker {
     PictureMaker(const Style& style, const LeafLoader& load_leaf)
         : style_(style), load_leaf_(load_leaf), random_(random_of(style)) {}
 
-    Picture run() {
+    Picture run(const SurfaceWatch& watch) {
         picture_.drawing.swatches = swatches();
         if (has_model(style_.models, Model::energy)) {
             grow_by_energy();
         } else {
-            flatten_model();
+            flatten_model(draw_model(style_, 0, watch));
         }
         picture_.drawing = on_page(std::move(picture_.drawing), style_.page, style_.palette);
+        return std::move(picture_);
+    }
+
+    Picture run(ModelMesh mesh, FixedView& view) {
+        picture_.drawing.swatches = swatches();
+        FlatModel model = draw_model(style_, std::move(mesh), 0);
+        const bool grows = style_.look.ground == Ground::shadow;
+        if (view.stand && !grows) model.stand = *view.stand;
+        if (!view.stand) view = {model.flat.frame.mm_per_unit, model.stand};
+        flatten_model(std::move(model));
         return std::move(picture_);
     }
 
@@ -95,19 +89,52 @@ class PictureMaker {
         insert_flat(std::move(flat), at);
     }
 
-    void flatten_model() {
-        FlatModel model = draw_model(style_, 0);
+    void flatten_model(FlatModel model) {
         count(model);
         std::vector<Layer> behind, front;
-        const Twigs twigs = twigs_of(model);
-        for (const Dress& dress : dresses(style_))
-            decorate(dress, twigs, behind, front);
+        if (bears_sprigs(model)) {
+            add_sprigs(model, behind, front);
+        } else {
+            const Twigs twigs = twigs_of(model);
+            for (const Dress& dress : dresses(style_))
+                decorate(dress, twigs, behind, front);
+        }
         std::vector<Layer>& layers = picture_.drawing.layers;
         layers.push_back(draw_ground(model.stand, style_.look, style_.palette));
         append(layers, std::move(behind));
         const std::size_t at = layers.size();
         append(layers, std::move(front));
         insert_flat(std::move(model.flat.layers), at);
+    }
+
+    bool bears_sprigs(const FlatModel& model) const {
+        return has_model(style_.models, Model::surface) && style_.sprig.energy > 0 &&
+               !model.model.mesh.sites.empty();
+    }
+
+    void add_sprigs(const FlatModel& model, std::vector<Layer>& behind, std::vector<Layer>& front) {
+        std::vector<Symbol>& symbols = picture_.drawing.symbols;
+        const SprigSymbols which{static_cast<std::uint32_t>(symbols.size()),
+                                 static_cast<std::uint32_t>(style_.sprig.variants)};
+        std::vector<Symbol> sprigs =
+            grow_sprigs(style_, [&](const std::string& name) { return import_leaf(name); });
+        if (style_.palette.strict) {
+            for (Symbol& sprig : sprigs)
+                restrict_colours(sprig.shapes);
+        }
+        std::move(sprigs.begin(), sprigs.end(), std::back_inserter(symbols));
+        SprigLayers layers = place_sprigs(sprig_places(model), which, style_.sprig,
+                                          twigs_of(model).clump_id, random_);
+        picture_.counts.sprigs = layers.count;
+        behind.push_back(std::move(layers.behind));
+        front.push_back(std::move(layers.front));
+    }
+
+    LeafImport import_leaf(const std::string& name) {
+        LeafImport import = load_leaf_(name);
+        std::vector<Problem>& warnings = picture_.warnings;
+        warnings.insert(warnings.end(), import.warnings.begin(), import.warnings.end());
+        return import;
     }
 
     // Below the layer `at`, with ids that are nobody else's.
@@ -146,18 +173,14 @@ class PictureMaker {
     void decorate(const Dress& dress, const Twigs& twigs, std::vector<Layer>& behind,
                   std::vector<Layer>& front) {
         if (dress.params.shape.empty()) return;
-        LeafImport import = load_leaf_(dress.params.shape);
-        std::vector<Problem>& warnings = picture_.warnings;
-        warnings.insert(warnings.end(), import.warnings.begin(), import.warnings.end());
+        LeafImport import = import_leaf(dress.params.shape);
         PlacementParams params;
         params.ornament = dress.params;
         params.tones = dress.tones;
         params.label = dress.label;
         params.salt = dress.salt;
         params.clump_id = twigs.clump_id;
-        params.stroked = std::any_of(
-            import.leaf.shapes.begin(), import.leaf.shapes.end(),
-            [](const Shape& shape) { return shape.paint.stroke.kind == Ink::Kind::inherit; });
+        params.stroked = has_strokes(import.leaf.shapes);
         params.symbol = symbol_of(std::move(import.leaf));
         const SiteParams along{dress.params.along_mm, dress.params.along_width_mm};
         Placement placement = place(twigs.sites(along), params, random_);
@@ -220,6 +243,13 @@ class PictureMaker {
         counts.parts = model.model.mesh.parts.size();
         counts.prisms = model.model.prisms;
         counts.roots = model.model.roots;
+        counts.surface = model.model.surface;
+        if (counts.surface) {
+            picture_.steps.push_back({"grow", counts.surface->seconds,
+                                      static_cast<std::size_t>(counts.surface->steps), "steps"});
+        }
+        picture_.steps.insert(picture_.steps.end(), model.flat.steps.begin(),
+                              model.flat.steps.end());
     }
 
     void count(const Skeleton& skeleton, const Limbs& limbs) {
@@ -250,8 +280,13 @@ class PictureMaker {
 
 }  // namespace
 
-Picture draw_picture(const Style& style, const LeafLoader& load_leaf) {
-    return PictureMaker(style, load_leaf).run();
+Picture draw_picture(const Style& style, const LeafLoader& load_leaf, const SurfaceWatch& watch) {
+    return PictureMaker(style, load_leaf).run(watch);
+}
+
+Picture draw_model_picture(const Style& style, const LeafLoader& load_leaf, ModelMesh model,
+                           FixedView& view) {
+    return PictureMaker(style, load_leaf).run(std::move(model), view);
 }
 
 }  // namespace edaha

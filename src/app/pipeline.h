@@ -8,6 +8,8 @@
 #include "app/model_mesh.h"
 #include "base/error.h"
 #include "drawing/drawing.h"
+#include "energy/ground.h"
+#include "flatten/flatten.h"
 #include "ornament/leaf.h"
 #include "style/style.h"
 
@@ -25,18 +27,33 @@ struct TreeCounts {
     std::size_t parts = 0;
     std::optional<PrismCounts> prisms;
     std::optional<RootCounts> roots;
+    std::optional<SurfaceReport> surface;
+    std::size_t sprigs = 0;
 };
 
 struct Picture {
     Drawing drawing;  // without metadata
     TreeCounts counts;
     std::vector<Problem> warnings;  // of the leaf drawings
+    std::vector<StepReport> steps;  // of growing and flattening meshes
 };
 
 // Gives the drawing of a leaf by its name or path; throws InputError or IoError.
 using LeafLoader = std::function<LeafImport(const std::string& name)>;
 
 // The whole way from a style to its picture, in order.
-Picture draw_picture(const Style& style, const LeafLoader& load_leaf);
+// `watch` is told of surface growth.
+Picture draw_picture(const Style& style, const LeafLoader& load_leaf,
+                     const SurfaceWatch& watch = {});
+
+// What pictures of one growth share: each takes what is set, and sets the rest.
+struct FixedView {
+    double mm_per_unit = 0;
+    std::optional<Stand> stand;  // of water and mound, which don't grow
+};
+
+// From a model that is there to its picture, on no page yet.
+Picture draw_model_picture(const Style& style, const LeafLoader& load_leaf, ModelMesh model,
+                           FixedView& view);
 
 }  // namespace edaha

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.h"
 #include "drawing/ink_box.h"
@@ -48,8 +49,13 @@ Layer background(const Drawing& drawing, Colour paper) {
 }  // namespace
 
 Drawing on_page(Drawing drawing, const PageParams& page, const Palette& palette) {
-    std::erase_if(drawing.layers, [](const Layer& layer) { return layer.children.empty(); });
     const Bounds box = InkBoxes(drawing).of_all();
+    return on_page(std::move(drawing), box, page, palette);
+}
+
+Drawing on_page(Drawing drawing, const Bounds& box, const PageParams& page,
+                const Palette& palette) {
+    std::erase_if(drawing.layers, [](const Layer& layer) { return layer.children.empty(); });
     const double longer = std::max({box.width(), box.height(), 1e-6});
     const double room = std::max(page.size_mm - 2 * page.margin_mm, 0.1 * page.size_mm);
     const double scale = page.size_mm > 0 ? room / longer : 1;

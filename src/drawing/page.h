@@ -3,6 +3,7 @@
 #include "drawing/drawing.h"
 #include "drawing/page_params.h"
 #include "drawing/palette.h"
+#include "geometry/bounds.h"
 
 namespace edaha {
 
@@ -11,5 +12,8 @@ namespace edaha {
 // paper is to be painted. Empty layers are left out. Stroke widths and dashes scale too.
 // O(content).
 Drawing on_page(Drawing drawing, const PageParams& page, const Palette& palette);
+
+// The same where the content counts as filling `box`, for pictures that share a page.
+Drawing on_page(Drawing drawing, const Bounds& box, const PageParams& page, const Palette& palette);
 
 }  // namespace edaha

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/stable_math.h"
+#include "ornament/cloud.h"
 
 namespace edaha {
 namespace {
@@ -33,21 +34,6 @@ enum Purpose : std::uint32_t {
 enum Tone : std::size_t { kShade, kMid, kLight, kTones };
 
 constexpr std::array<const char*, kTones> kToneNames{"shade", "mid", "light"};
-
-struct Cloud {
-    Vec2 centre{0}, half{1};
-
-    Cloud() = default;
-    explicit Cloud(const Bounds& box)
-        : centre(box.centre()),
-          half(std::max(box.width() / 2, 1.0), std::max(box.height() / 2, 1.0)) {}
-
-    // Where in the cloud's light a place is: -1 in its shade, 1 on its lit side.
-    double light(Vec2 place) const {
-        constexpr Vec2 towards_light{-0.5, -0.87};
-        return std::clamp(glm::dot((place - centre) / half, towards_light), -1.0, 1.0);
-    }
-};
 
 // The ornaments of a clump, tone by tone.
 using Tonal = std::array<std::vector<Element>, kTones>;

@@ -5,14 +5,17 @@ set(EDAHA_STYLES
   birch
   cherry
   cypress
+  fence-tree
   fir
   ginkgo
+  hollow-camphor
   low-poly-broadleaf
   low-poly-pine
   low-poly-spruce
   maple
   oak
   old-mangrove
+  old-oak
   paper/energy-a-100-drop
   paper/energy-a-100-plain
   paper/energy-a-100-space
@@ -39,8 +42,25 @@ set(EDAHA_STYLES
   paper/prop-roots-4-2
   paper/prop-roots-4-3
   paper/prop-roots-4-4
+  paper/surface-fig22
+  paper/surface-fig23a
+  paper/surface-fig23b
+  paper/surface-fig23c
+  paper/surface-fig23d
+  paper/surface-fig24a
+  paper/surface-fig24b
+  paper/surface-fig24c
+  paper/surface-fig25a
+  paper/surface-fig25b
+  paper/surface-fig25c
+  paper/surface-fig26a
+  paper/surface-fig26b
+  paper/surface-fig27a
+  paper/surface-fig27b
+  paper/surface-fig27c
   poplar
   scots-pine
+  twisted-juniper
   willow
   winter
   young-mangrove

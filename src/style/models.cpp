@@ -17,7 +17,8 @@ Model parse_model(std::string_view word, std::size_t offset) {
     const auto found = std::ranges::find(kModelNames, word);
     if (found != std::end(kModelNames)) return static_cast<Model>(found - kModelNames);
     const std::vector<std::string> names(std::begin(kModelNames), std::end(kModelNames));
-    throw SyntaxError(offset, quoted(word) + " is not known (expected energy, prism or prop-root)" +
+    throw SyntaxError(offset, quoted(word) +
+                                  " is not known (expected energy, prism, prop-root or surface)" +
                                   did_you_mean(word, names));
 }
 
@@ -47,10 +48,12 @@ std::vector<Model> parse_models(std::string_view text) {
         models.push_back(model);
         if (has_model(models, Model::energy) && has_model(models, Model::prism))
             throw SyntaxError(at, "energy and prism don't go together");
+        if (has_model(models, Model::surface) && models.size() > 1)
+            throw SyntaxError(at, "surface goes with no other model");
         at = text.find_first_not_of(kBlank, end);
     }
     if (models.empty())
-        throw SyntaxError(0, "names no model (expected energy, prism or prop-root)");
+        throw SyntaxError(0, "names no model (expected energy, prism, prop-root or surface)");
     return models;
 }
 

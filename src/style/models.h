@@ -9,9 +9,9 @@
 namespace edaha {
 
 // What grows a tree. Energy draws; the others make meshes, which flatten() turns into a drawing.
-// Prop roots may stand below a crown that another model grows.
-enum class Model : std::uint8_t { energy, prism, prop_root };
-inline constexpr std::string_view kModelNames[] = {"energy", "prism", "prop-root"};
+// Prop roots may stand below a crown that another model grows; surface growth goes alone.
+enum class Model : std::uint8_t { energy, prism, prop_root, surface };
+inline constexpr std::string_view kModelNames[] = {"energy", "prism", "prop-root", "surface"};
 
 bool has_model(std::span<const Model> models, Model model);
 

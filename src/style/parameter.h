@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "style/style.h"
 
 namespace edaha {
@@ -45,8 +47,9 @@ using Interval = Access<Range>;
 using ByOrder = Access<std::vector<double>>;  // one number a branch order
 using Tint = Access<Colour>;
 using Reference = Access<std::string>;  // a drawing: its name in the catalogue, or a path
+using Spot = Access<glm::dvec3>;        // x y z
 
-using Field = std::variant<Number, Integer, Flag, Choice, Interval, ByOrder, Tint, Reference>;
+using Field = std::variant<Number, Integer, Flag, Choice, Interval, ByOrder, Tint, Reference, Spot>;
 
 struct Parameter {
     std::string group;
@@ -69,13 +72,28 @@ struct ParameterGroup {
     bool of_model = false;  // one of the 3D models': most styles have nothing to say there
 };
 
+// Elements of a style file that may stand there any number of times: <burl/>. Their rows reach the
+// last item; resize() adds and drops items at the end.
+struct ParameterList {
+    std::string name;
+    std::string help;
+    std::vector<Parameter> parameters;
+    std::function<std::size_t(const Style&)> size;
+    std::function<void(Style&, std::size_t)> resize;
+};
+
+// The element of a style file that holds the L-system of surface growth as text.
+inline constexpr const char* kRulesElement = "rules";
+
 // The table, in the order in which styles are written. Groups follow each other whole.
 std::span<const ParameterGroup> parameter_groups();
 std::span<const Parameter> parameters();
+std::span<const ParameterList> parameter_lists();
 
 // Null if there is no such thing. Keys are "group.name".
 const ParameterGroup* find_group(std::string_view name);
 const Parameter* find_parameter(std::string_view key);
+const ParameterList* find_list(std::string_view name);
 
 // Why `key` names no parameter: "growth.enery: no such parameter (did you mean 'growth.energy'?)".
 std::string unknown_parameter(std::string_view key);

@@ -93,6 +93,8 @@ std::vector<Parameter> variant_rows();
 std::vector<Parameter> prism_rows();
 std::vector<Parameter> foliage_rows();
 std::vector<Parameter> proproot_rows();
+std::vector<Parameter> surface_rows();
+std::vector<ParameterList> surface_lists();
 std::vector<Parameter> flatten_rows();
 std::vector<Parameter> look_rows();
 std::vector<Parameter> leaf_rows();

@@ -28,6 +28,7 @@ Table make_table() {
         {"prism", "trees of prisms", prism_rows, true},
         {"foliage", "masses of leaves on prisms", foliage_rows, true},
         {"proproot", "prop roots of mangroves", proproot_rows, true},
+        {"surface", "trees whose surface grows", surface_rows, true},
         {"flatten", "how meshes become drawings", flatten_rows, true},
         {"look", "how the wood is drawn", look_rows},
         {"leaf", "leaves", leaf_rows},
@@ -66,6 +67,11 @@ std::span<const Parameter> parameters() {
     return table().rows;
 }
 
+std::span<const ParameterList> parameter_lists() {
+    static const std::vector<ParameterList> kLists = surface_lists();
+    return kLists;
+}
+
 const ParameterGroup* find_group(std::string_view name) {
     const auto found = std::ranges::find(table().groups, name, &ParameterGroup::name);
     return found == table().groups.end() ? nullptr : &*found;
@@ -76,9 +82,16 @@ const Parameter* find_parameter(std::string_view key) {
     return found == table().rows.end() ? nullptr : &*found;
 }
 
+const ParameterList* find_list(std::string_view name) {
+    const auto found = std::ranges::find(parameter_lists(), name, &ParameterList::name);
+    return found == parameter_lists().end() ? nullptr : &*found;
+}
+
 std::string unknown_parameter(std::string_view key) {
     std::vector<std::string> keys;
     std::ranges::transform(parameters(), std::back_inserter(keys), &Parameter::key);
+    for (const ParameterList& list : parameter_lists())
+        std::ranges::transform(list.parameters, std::back_inserter(keys), &Parameter::key);
     std::string message = std::string(key) + ": no such parameter";
     if (const auto nearest = nearest_name(key, keys)) {
         message += " (did you mean '" + *nearest + "'?)";

@@ -71,6 +71,9 @@ struct TypeWriter {
     }
     void operator()(const Tint&) const { restrict_to_pattern(attribute, "#[0-9a-fA-F]{6}"); }
     void operator()(const Reference&) const { restrict(attribute, "xs:string"); }
+    void operator()(const Spot&) const {
+        restrict_to_pattern(attribute, fmt::format("({0}\\s+){{2}}{0}", kNumberPattern));
+    }
 };
 
 void append_parameter(xml_node type, const Parameter& parameter) {
@@ -93,6 +96,13 @@ void append_group(xml_node schema, const ParameterGroup& group) {
         append_parameter(type, parameter);
 }
 
+void append_list(xml_node schema, const ParameterList& list) {
+    const xml_node type = append(schema, "xs:complexType", "name", list.name);
+    document(type, list.help);
+    for (const Parameter& parameter : list.parameters)
+        append_parameter(type, parameter);
+}
+
 void append_tree(xml_node schema) {
     const xml_node tree = append(schema, "xs:element", "name", "tree");
     const xml_node type = append(tree, "xs:complexType");
@@ -102,6 +112,12 @@ void append_tree(xml_node schema) {
         xml_node element = append(groups, "xs:element", "name", group.name);
         element.append_attribute("type") = group.name.c_str();
     }
+    for (const ParameterList& list : parameter_lists()) {
+        xml_node element = append(groups, "xs:element", "name", list.name);
+        element.append_attribute("type") = list.name.c_str();
+    }
+    xml_node rules = append(groups, "xs:element", "name", kRulesElement);
+    rules.append_attribute("type") = "xs:string";
     xml_node name = append(type, "xs:attribute", "name", "name");
     name.append_attribute("use") = "required";
     restrict_to_pattern(name, kNamePattern);
@@ -130,6 +146,8 @@ std::string style_schema() {
     append_tree(schema);
     for (const ParameterGroup& group : parameter_groups())
         append_group(schema, group);
+    for (const ParameterList& list : parameter_lists())
+        append_list(schema, list);
     std::ostringstream out;
     file.save(out, "  ", pugi::format_default, pugi::encoding_utf8);
     return out.str();

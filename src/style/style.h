@@ -9,9 +9,11 @@
 #include "energy/look_params.h"
 #include "flatten/flatten_params.h"
 #include "ornament/ornament_params.h"
+#include "ornament/sprig_params.h"
 #include "prism/prism_params.h"
 #include "proproot/prop_root_params.h"
 #include "style/models.h"
+#include "surface/surface_params.h"
 
 namespace edaha {
 
@@ -31,6 +33,8 @@ struct Style {
     EnergyParams energy;
     PrismParams prism;
     PropRootParams prop_root;
+    SurfaceParams surface;
+    SprigParams sprig;
     FlattenParams flatten;
     LookParams look;
     OrnamentParams leaf;

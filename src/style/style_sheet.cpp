@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <span>
 
 #include <fmt/core.h>
 #include <pugixml.hpp>
@@ -11,6 +12,7 @@
 #include "base/locate.h"
 #include "base/nearest_name.h"
 #include "base/syntax_error.h"
+#include "style/rules_text.h"
 #include "style/value.h"
 #include "style/xml_syntax.h"
 #include "style/xml_text.h"
@@ -19,6 +21,7 @@ namespace edaha {
 namespace {
 
 constexpr std::size_t kMostPalettes = 100;
+constexpr std::size_t kMostItems = 10000;  // of all lists together
 
 class SheetReader {
   public:
@@ -186,11 +189,16 @@ class SheetReader {
 
     void read_element(pugi::xml_node node, std::vector<std::string>& seen) {
         const std::string name = node.name();
+        if (name == kRulesElement) return read_rules(node, seen);
+        if (const ParameterList* list = find_list(name)) return read_item(node, *list);
         const ParameterGroup* const group = find_group(name);
         if (group == nullptr) {
             std::vector<std::string> names;
             std::ranges::transform(parameter_groups(), std::back_inserter(names),
                                    &ParameterGroup::name);
+            std::ranges::transform(parameter_lists(), std::back_inserter(names),
+                                   &ParameterList::name);
+            names.emplace_back(kRulesElement);
             say(offset_of(node),
                 fmt::format("{}: no such group{}", name, did_you_mean(name, names)));
             return;
@@ -205,7 +213,42 @@ class SheetReader {
         }
         seen.push_back(name);
         for (const pugi::xml_attribute attribute : node.attributes())
-            read_value(node, attribute, *group, sheet_.values);
+            read_value(node, attribute, name, group->parameters, sheet_.values);
+    }
+
+    void read_item(pugi::xml_node node, const ParameterList& list) {
+        refuse_children(node);
+        if (sheet_.items.size() == kMostItems) {
+            say(offset_of(node), fmt::format("{}: more than {} elements", list.name, kMostItems));
+        }
+        if (sheet_.items.size() >= kMostItems) return;
+        StyleSheet::Item item{&list, {}};
+        for (const pugi::xml_attribute attribute : node.attributes())
+            read_value(node, attribute, list.name, list.parameters, item.values);
+        sheet_.items.push_back(std::move(item));
+    }
+
+    void read_rules(pugi::xml_node node, std::vector<std::string>& seen) {
+        const std::string name = kRulesElement;
+        if (std::ranges::count(seen, name) > 0) say(offset_of(node), name + ": is given twice");
+        seen.push_back(name);
+        for (const pugi::xml_attribute attribute : node.attributes())
+            say(offset_of(node, attribute), name + '.' + attribute.name() + ": no such attribute");
+        RulesText rules;
+        for (const pugi::xml_node child : node.children()) {
+            const pugi::xml_node_type type = child.type();
+            if (type == pugi::node_pcdata || type == pugi::node_cdata) {
+                rules.add(text_, offset_of(child), child.value(), type == pugi::node_cdata);
+            } else if (type == pugi::node_element) {
+                say(offset_of(child),
+                    fmt::format("{} has no place in {}", in_quotes(child.name()), in_quotes(name)));
+            } else {
+                refuse_text(child);
+            }
+        }
+        for (const RulesText::Wrong& wrong : rules.problems())
+            say(wrong.offset, name + ": " + wrong.message);
+        sheet_.rules = trim(rules.text());
     }
 
     void refuse_children(pugi::xml_node node) {
@@ -233,7 +276,7 @@ class SheetReader {
         StyleSheet::PaletteSheet palette{value, {}};
         for (const pugi::xml_attribute attribute : node.attributes()) {
             if (std::string_view(attribute.name()) != "name") {
-                read_value(node, attribute, group, palette.colours);
+                read_value(node, attribute, group.name, group.parameters, palette.colours);
             } else {
                 is_first(node, attribute, "palette.name");
             }
@@ -241,14 +284,14 @@ class SheetReader {
         sheet_.palettes.push_back(std::move(palette));
     }
 
-    void read_value(pugi::xml_node node, pugi::xml_attribute attribute, const ParameterGroup& group,
-                    std::vector<StyleSheet::Value>& values) {
-        const auto found = std::ranges::find(group.parameters, attribute.name(), &Parameter::name);
-        if (found == group.parameters.end()) {
+    void read_value(pugi::xml_node node, pugi::xml_attribute attribute, const std::string& group,
+                    std::span<const Parameter> parameters, std::vector<StyleSheet::Value>& values) {
+        const auto found = std::ranges::find(parameters, attribute.name(), &Parameter::name);
+        if (found == parameters.end()) {
             std::vector<std::string> names;
-            std::ranges::transform(group.parameters, std::back_inserter(names), &Parameter::name);
+            std::ranges::transform(parameters, std::back_inserter(names), &Parameter::name);
             say(offset_of(node, attribute),
-                fmt::format("{}.{}: no such parameter{}", group.name, attribute.name(),
+                fmt::format("{}.{}: no such parameter{}", group, attribute.name(),
                             did_you_mean(attribute.name(), names)));
             return;
         }

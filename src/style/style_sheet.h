@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct StyleSheet {
         const Parameter* parameter;
         std::string text;
     };
+    struct Item {
+        const ParameterList* list;
+        std::vector<Value> values;
+    };
     struct PaletteSheet {
         std::string name;
         std::vector<Value> colours;
@@ -29,6 +34,8 @@ struct StyleSheet {
     std::string extends;
     Place extends_place;
     std::vector<Value> values;
+    std::vector<Item> items;
+    std::optional<std::string> rules;
     std::vector<PaletteSheet> palettes;
     std::vector<Problem> problems;  // in the order of the text; at most kMostProblems, and one more
 };

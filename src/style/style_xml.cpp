@@ -70,6 +70,23 @@ void apply(Style& style, const std::vector<StyleSheet::Value>& values) {
         assign(style, *value.parameter, value.text);
 }
 
+// A list is all of what the last file that has any of it says.
+void apply_lists(Style& style, const StyleSheet& sheet) {
+    for (const ParameterList& list : parameter_lists()) {
+        const auto is_of_list = [&](const StyleSheet::Item& item) { return item.list == &list; };
+        if (std::ranges::none_of(sheet.items, is_of_list)) continue;
+        list.resize(style, 0);
+        for (const StyleSheet::Item& item : sheet.items) {
+            if (!is_of_list(item)) continue;
+            list.resize(style, list.size(style) + 1);
+            apply(style, item.values);
+            for (const Parameter& parameter : list.parameters)  // as make_canonical() below
+                assign(style, parameter, value_text(style, parameter));
+        }
+    }
+    if (sheet.rules) style.surface.rules = *sheet.rules;
+}
+
 // Starts from what the palette of that name is so far, or else from the main one.
 void apply_palette(Style& style, const StyleSheet::PaletteSheet& sheet) {
     auto named = std::ranges::find(style.palettes, sheet.name, &NamedPalette::name);
@@ -97,6 +114,17 @@ bool is_default(const Style& style, const ParameterGroup& group) {
     });
 }
 
+void write_list(pugi::xml_node tree, const Style& style, const ParameterList& list) {
+    for (std::size_t i = 0; i < list.size(style); ++i) {
+        Style part;
+        part.surface = style.surface;
+        list.resize(part, i + 1);
+        pugi::xml_node node = tree.append_child(list.name.c_str());
+        for (const Parameter& parameter : list.parameters)
+            node.append_attribute(parameter.name.c_str()) = value_text(part, parameter).c_str();
+    }
+}
+
 void write_palette(pugi::xml_node tree, const Style& style, const NamedPalette& named) {
     pugi::xml_node node = tree.append_child("palette");
     node.append_attribute("name") = named.name.c_str();
@@ -116,6 +144,8 @@ std::optional<std::string> set_parameter(Style& style, const std::string& assign
     }
     const std::string key = assignment.substr(0, equals);
     const Parameter* const parameter = find_parameter(key);
+    if (parameter == nullptr && find_list(key.substr(0, key.find('.'))) != nullptr)
+        return key + ": only style files can set it: there may be many";
     if (parameter == nullptr) return unknown_parameter(key);
     const auto wrong = assign(style, *parameter, std::string_view(assignment).substr(equals + 1));
     return wrong ? std::optional(key + ": " + *wrong) : std::nullopt;
@@ -133,6 +163,7 @@ Style read_style(const SourceText& source, const Catalogue& catalogue) {
     for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
         if (!link->sheet.models.empty()) style.models = link->sheet.models;
         apply(style, link->sheet.values);
+        apply_lists(style, link->sheet);
     }
     make_canonical(style);
     for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
@@ -157,6 +188,10 @@ std::string to_xml(const Style& style) {
             node.append_attribute(parameter.name.c_str()) = value_text(style, parameter).c_str();
         }
     }
+    for (const ParameterList& list : parameter_lists())
+        write_list(tree, style, list);
+    if (!style.surface.rules.empty())
+        tree.append_child(kRulesElement).text() = style.surface.rules.c_str();
     for (const NamedPalette& palette : style.palettes)
         write_palette(tree, style, palette);
     std::ostringstream out;

@@ -11,7 +11,8 @@ namespace edaha {
 // Style files: <tree name="oak" title="Oak" models="energy" extends="base"> with one element a
 // parameter group, one attribute a parameter, and further <palette name="dark"> that change some
 // colours of the main one. What a file leaves out is as in the style that it extends, or the
-// default. The main palette is settled before the named ones, whichever file they stand in.
+// default; elements of lists (<burl/>) take the place of all of that list. The main palette is
+// settled before the named ones, whichever file they stand in.
 
 // Errors: InputError with every problem of the file, and of the files that it extends, in their
 // order. Styles that extend each other in a circle, or more than 16 deep, are problems.

@@ -146,6 +146,18 @@ std::optional<Range> parse_range(std::string_view text) {
     return Range{*low, *high};
 }
 
+std::optional<glm::dvec3> parse_spot(std::string_view text) {
+    const std::vector<std::string_view> parts = words(text);
+    if (parts.size() != 3) return std::nullopt;
+    glm::dvec3 spot(0);
+    for (int i = 0; i < 3; ++i) {
+        const auto value = parse_number(parts[static_cast<std::size_t>(i)]);
+        if (!value) return std::nullopt;
+        spot[i] = *value;
+    }
+    return spot;
+}
+
 // One value of a text, for each kind of field.
 struct Assignment {
     Style& style;
@@ -222,6 +234,16 @@ struct Assignment {
         return {};
     }
 
+    Wrong operator()(const Spot& field) const {
+        const auto spot = parse_spot(text);
+        if (!spot) return fail("is not a point");
+        for (int i = 0; i < 3; ++i) {
+            if (!within((*spot)[i], parameter.limits)) return fail("is out of range");
+        }
+        field.set(style, *spot);
+        return {};
+    }
+
     Wrong operator()(const Reference& field) const {
         const bool is_text = !first_byte_not_xml(text) && text.find_first_of("\t\r\n") == text.npos;
         if (!is_text || text.size() > kMostReference) return fail("is not a name");
@@ -258,7 +280,12 @@ std::string value_text(const Style& style, const Parameter& parameter) {
                   return text;
               },
               [&](const Tint& field) { return colour_text(field.get(style)); },
-              [&](const Reference& field) { return field.get(style); }},
+              [&](const Reference& field) { return field.get(style); },
+              [&](const Spot& field) {
+                  const glm::dvec3 spot = field.get(style);
+                  return shortest_text(spot.x) + ' ' + shortest_text(spot.y) + ' ' +
+                         shortest_text(spot.z);
+              }},
         parameter.field);
 }
 
@@ -274,13 +301,15 @@ std::string expected_text(const Parameter& parameter) {
                   return fmt::format("1 to {} numbers, each {}", kMostOrders, limits_text(limits));
               },
               [](const Tint&) { return std::string("#rrggbb"); },
-              [](const Reference&) { return std::string("a drawing's name or path"); }},
+              [](const Reference&) { return std::string("a drawing's name or path"); },
+              [&](const Spot&) { return "x y z, each " + limits_text(limits); }},
         parameter.field);
 }
 
 std::string kind_text(const Parameter& parameter) {
-    constexpr const char* kKinds[] = {"number", "whole number",  "yes or no", "choice",
-                                      "range",  "list by order", "colour",    "drawing"};
+    constexpr const char* kKinds[] = {"number", "whole number", "yes or no",
+                                      "choice", "range",        "list by order",
+                                      "colour", "drawing",      "point"};
     static_assert(std::size(kKinds) == std::variant_size_v<Field>);
     return kKinds[parameter.field.index()];
 }

@@ -247,8 +247,8 @@ TEST_F(FlattenCommand, DrawsWhatMeshWrites) {
 
 TEST_F(FlattenCommand, MeshNeedsAModelThatMakesOne) {
     expect("edaha mesh oak -o oak.obj", 1, "",
-           "edaha: 'oak' grows by energy, which makes no mesh (expected a style of prisms or prop "
-           "roots)\n");
+           "edaha: 'oak' grows by energy, which makes no mesh (expected a style of prisms, prop "
+           "roots or surface growth)\n");
     write("p.xml", kPrisms);
     expect("edaha mesh p.xml -o p.stl", 2, "",
            "edaha: --output: the ending of 'p.stl' is no format (expected obj or ply)\n");

@@ -10,7 +10,7 @@ namespace {
 class Drawings : public EveryStyle {};
 
 TEST_P(Drawings, KeepTheContract) {
-    for (const std::uint64_t seed : seeds()) {
+    for (const std::uint64_t seed : seeds(GetParam())) {
         const Picture picture = draw_tree(GetParam(), seed);
         for (const std::string& breach : check(picture.drawing))
             ADD_FAILURE() << "seed " << seed << ": " << breach;
@@ -27,7 +27,7 @@ const std::set<std::string> kLayerNames{
     "Root lines", "Tree",        "Tree lines"};
 
 TEST_P(Drawings, NameTheirLayers) {
-    for (const std::uint64_t seed : seeds()) {
+    for (const std::uint64_t seed : seeds(GetParam())) {
         const Picture picture = draw_tree(GetParam(), seed);
         bool has_wood = false;  // or roots alone, or all in one
         for (const Layer& layer : picture.drawing.layers) {

@@ -38,7 +38,7 @@ TEST_P(Inkscape, OpensEverySeedWithoutAMessage) {
     const TemporaryFolder folder;
     std::string files;
     std::vector<Drawing> drawings;
-    for (const std::uint64_t seed : seeds(kSeeds)) {
+    for (const std::uint64_t seed : seeds(GetParam(), kSeeds)) {
         drawings.push_back(draw_tree(GetParam(), seed).drawing);
         const std::string file = folder / (std::to_string(seed) + ".svg");
         write_whole(file, in_format(drawings.back(), Format::svg));
@@ -51,7 +51,7 @@ TEST_P(Inkscape, OpensEverySeedWithoutAMessage) {
     EXPECT_EQ(result.out, "");
     std::istringstream numbers(result.err);
     for (std::size_t i = 0; i < drawings.size(); ++i) {
-        SCOPED_TRACE("seed " + std::to_string(seeds(kSeeds)[i]));
+        SCOPED_TRACE("seed " + std::to_string(seeds(GetParam(), kSeeds)[i]));
         Box box;
         ASSERT_TRUE(numbers >> box) << result.err;
         expect_within_page(box, drawings[i]);

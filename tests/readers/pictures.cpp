@@ -21,9 +21,12 @@ std::string style_test_name(const testing::TestParamInfo<std::string>& info) {
     return name;
 }
 
-std::vector<std::uint64_t> seeds(std::size_t last) {
+std::vector<std::uint64_t> seeds(const std::string& style, std::size_t last) {
+    const Catalogue catalogue;
+    const std::vector<Model> models = read_style(catalogue.find_style(style), catalogue).models;
     const char* const count = std::getenv("EDAHA_SEEDS");
-    std::vector<std::uint64_t> all(count == nullptr ? last : std::stoul(count));
+    const std::size_t usual = has_model(models, Model::surface) ? 1 : last;
+    std::vector<std::uint64_t> all(count == nullptr ? usual : std::stoul(count));
     std::iota(all.begin(), all.end(), 1);
     return all;
 }

@@ -19,8 +19,8 @@ std::vector<std::string> built_in_styles();
 // "paper/energy-a-100-plain" as gtest takes it: paper_energy_a_100_plain.
 std::string style_test_name(const testing::TestParamInfo<std::string>& info);
 
-// 1 to `last`, or to $EDAHA_SEEDS.
-std::vector<std::uint64_t> seeds(std::size_t last = 20);
+// 1 to `last`, or to $EDAHA_SEEDS. Of trees whose surface grows, which takes seconds, the first.
+std::vector<std::uint64_t> seeds(const std::string& style, std::size_t last = 20);
 
 // A built-in style's picture, and any picture in a format.
 Picture draw_tree(const std::string& style, std::uint64_t seed);

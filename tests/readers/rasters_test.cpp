@@ -42,7 +42,7 @@ class Rasters : public EveryStyle {
 // missing, in another place or in another colour at every twig is far more.
 TEST_P(Rasters, OfSvgAndPdfAgree) {
     // The PDF of a tree in full leaf takes seconds.
-    for (const std::uint64_t seed : seeds(3)) {
+    for (const std::uint64_t seed : seeds(GetParam(), 3)) {
         write(draw_tree(GetParam(), seed).drawing);
         EXPECT_LT(difference(300, "pdftocairo"), 0.002) << "seed " << seed;
     }

@@ -154,7 +154,10 @@ TEST(Cli, ParametersAreExplained) {
               "  source   Edaha\n");
     const Output all = run_edaha({"explain"});
     const auto json = nlohmann::json::parse(run_edaha({"explain", "--json"}).out);
-    EXPECT_EQ(json.size(), parameters().size());
+    std::size_t explained = parameters().size();
+    for (const ParameterList& list : parameter_lists())
+        explained += list.parameters.size();
+    EXPECT_EQ(json.size(), explained);
     for (const Parameter& parameter : parameters())
         EXPECT_NE(all.out.find("  " + parameter.key() + ' '), std::string::npos) << all.out;
     EXPECT_EQ(run_edaha({"explain", "growt"}).err,

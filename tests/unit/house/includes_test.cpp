@@ -23,15 +23,18 @@ const std::map<std::string, Names> kRooms{
     {"mesh", {"base", "geometry"}},
     {"prism", {"base", "geometry", "mesh"}},
     {"proproot", {"base", "geometry", "mesh"}},
+    {"surface", {"base", "geometry", "mesh"}},
     {"flatten", {"base", "geometry", "drawing", "mesh"}},
     {"ornament", {"base", "geometry", "drawing"}},
-    {"style", {"base", "drawing", "energy", "prism", "proproot", "flatten", "ornament"}},
+    {"style", {"base", "drawing", "energy", "prism", "proproot", "surface", "flatten", "ornament"}},
     {"write", {"base", "geometry", "drawing"}},
     {"app",
-     {"base", "geometry", "drawing", "mesh", "energy", "prism", "proproot", "flatten", "ornament",
-      "style", "write"}}};
+     {"base", "geometry", "drawing", "mesh", "energy", "prism", "proproot", "surface", "flatten",
+      "ornament", "style", "write"}}};
 const std::map<std::string, Names> kParamsOnly{
-    {"style", {"energy", "prism", "proproot", "flatten", "ornament"}}};
+    {"style", {"energy", "prism", "proproot", "surface", "flatten", "ornament"}}};
+// A language that stands in style files, so that these are checked whole.
+const Names kLanguages{"surface/rules.h"};
 
 // Libraries, by how their headers begin, and the rooms that may name them.
 const std::map<std::string, Names> kLibraries{
@@ -58,7 +61,9 @@ std::string complaint_of_room(const std::string& room, const std::string& header
     if (!kRooms.at(room).contains(other)) return "not a room that " + room + " may know";
     const auto limited = kParamsOnly.find(room);
     const bool is_limited = limited != kParamsOnly.end() && limited->second.contains(other);
-    return is_limited && !header.ends_with("_params.h") ? "not a stage's parameters" : "";
+    return is_limited && !header.ends_with("_params.h") && !kLanguages.contains(header)
+               ? "not a stage's parameters"
+               : "";
 }
 
 std::string complaint_of_library(const std::string& room, const std::string& header) {

@@ -24,12 +24,32 @@ const std::map<std::string, std::string> kMessages = {
     {"broken-colour",
      "@broken-colour.xml:2:12: palette.leaf: 'green' is not a colour (expected #rrggbb)\n"
      "@broken-colour.xml:2:25: palette.wood: '#12345' is not a colour (expected #rrggbb)"},
+    {"broken-items",
+     "@broken-items.xml:2:9: burl.radus: no such parameter (did you mean 'radius'?)\n"
+     "@broken-items.xml:2:21: burl.strength: 'abc' is not a number (expected -1 … 100)\n"
+     "@broken-items.xml:3:9: burl.height: '-1' is out of range (expected 0 … 1e6 mm)\n"
+     "@broken-items.xml:3:32: burl.core: is given twice\n"
+     "@broken-items.xml:4:13: obstacle.shape: 'rood' is not known (expected plane, box, ball, rod "
+     "or "
+     "wire; did you mean 'rod'?)\n"
+     "@broken-items.xml:4:26: obstacle.from: '1 2' is not a point (expected x y z, each -1e6 … 1e6 "
+     "mm)\n"
+     "@broken-items.xml:4:37: obstacle.to: '0 0 2e6' is out of range (expected x y z, each -1e6 … "
+     "1e6 mm)"},
     {"broken-list",
      "@broken-list.xml:2:10: space.habit: '' is not a list of numbers (expected 1 to 32 numbers, "
      "each 0 … 180 degrees)"},
     {"broken-range",
      "@broken-range.xml:2:11: growth.share: '0.1,0.9' is not a range (expected low high, each 0.01 "
      "… 0.99)"},
+    {"broken-rules",
+     "@broken-rules.xml:3:7: rules: production 1: expected '->' here, not '>'\n"
+     "@broken-rules.xml:5:4: rules: is given twice\n"
+     "@broken-rules.xml:5:10: rules.name: no such attribute\n"
+     "@broken-rules.xml:5:20: rules: production 1: expected '->' here, not the end of the line\n"
+     "@broken-rules.xml:5:21: 'b' has no place in 'rules'\n"
+     "@broken-rules.xml:6:10: 'x' has no place in 'burl'\n"
+     "@broken-rules.xml:7:4: burls: no such group (did you mean 'burl'?)"},
     {"circle", "@circle-back.xml:1:16: tree.extends: 'circle.xml' extends this style itself"},
     {"circle-back", "@circle.xml:1:16: tree.extends: 'circle-back.xml' extends this style itself"},
     {"control", "@control.xml:1:23: byte 0x1B is not XML text in UTF-8"},
@@ -57,7 +77,8 @@ const std::map<std::string, std::string> kMessages = {
     {"models-together",
      "@models-together.xml:1:16: tree.models: energy and prism don't go together"},
     {"no-model",
-     "@no-model.xml:1:16: tree.models: names no model (expected energy, prism or prop-root)"},
+     "@no-model.xml:1:16: tree.models: names no model (expected energy, prism, prop-root or "
+     "surface)"},
     {"no-name", "@no-name.xml:1:2: tree.name: is missing"},
     {"not-a-number",
      "@not-a-number.xml:3:11: growth.energy: 'abc' is not a number (expected 1 … 1e6)"},
@@ -74,6 +95,8 @@ const std::map<std::string, std::string> kMessages = {
     {"reversed-range",
      "@reversed-range.xml:2:11: branch.turn: '45 -45' is a reversed range (expected low high, each "
      "-180 … 180 degrees)"},
+    {"surface-together",
+     "@surface-together.xml:1:16: tree.models: surface goes with no other model"},
     {"text-inside",
      "@text-inside.xml:2:3: text 'energy = 5' has no place here\n"
      "@text-inside.xml:3:11: text '5' has no place here"},
@@ -94,8 +117,8 @@ const std::map<std::string, std::string> kMessages = {
      "@unknown-leaf.xml:2:9: leaf.shape: there is no leaf 'oka' (did you mean 'oak'?)\n"
      "@unknown-leaf.xml:3:10: fruit.shape: there is no leaf './nut.svg'"},
     {"unknown-model",
-     "@unknown-model.xml:1:16: tree.models: 'prisms' is not known (expected energy, prism or "
-     "prop-root) (did you mean 'prism'?)"},
+     "@unknown-model.xml:1:16: tree.models: 'prisms' is not known (expected energy, prism, "
+     "prop-root or surface) (did you mean 'prism'?)"},
     {"unknown-parameter",
      "@unknown-parameter.xml:2:11: growth.enery: no such parameter (did you mean 'energy'?)\n"
      "@unknown-parameter.xml:2:21: growth.colour: no such parameter"},

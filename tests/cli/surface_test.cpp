@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace edaha {
+namespace {
+
+// A tree that is soon grown.
+const std::string kYoung =
+    "<tree name=\"young\" models=\"surface\">\n"
+    "  <surface steps=\"12\" seed-height=\"400\"/>\n"
+    "  <page size=\"60\"/>\n"
+    "</tree>\n";
+
+class SurfaceCommands : public test::Program {
+  protected:
+    void SetUp() override { write("young.xml", kYoung); }
+};
+
+TEST_F(SurfaceCommands, DrawsAndDrawsAgainFromThePicture) {
+    expect("edaha draw young.xml", 0, "", "edaha: wrote young.svg\n");
+    expect("edaha draw young.svg -o again.svg", 0, "", "");
+    EXPECT_EQ(read("again.svg"), read("young.svg"));
+}
+
+TEST_F(SurfaceCommands, WritesFramesOnOnePage) {
+    expect("edaha draw young.xml --frames 3 -o grow.svg", 0, "", "");
+    EXPECT_TRUE(exists("grow-001.svg") && exists("grow-002.svg") && exists("grow-003.svg"));
+    EXPECT_FALSE(exists("grow.svg") || exists("grow-004.svg"));
+    const auto page = [&](const std::string& file) {
+        const std::string svg = read(file);
+        const std::size_t at = svg.find(" width=\"");
+        return svg.substr(at, svg.find("viewBox") - at);
+    };
+    EXPECT_EQ(page("grow-001.svg"), page("grow-003.svg"));
+    EXPECT_NE(read("grow-001.svg"), read("grow-003.svg"));
+    expect("edaha draw young.xml --frames 2", 0, "",
+           "edaha: wrote young-001.svg\nedaha: wrote young-002.svg\n");
+    expect("edaha draw young.xml --frames 2", 1, "",
+           "edaha: 'young-001.svg' is there already (--force overwrites it, -o names another)\n");
+}
+
+TEST_F(SurfaceCommands, RefusesFramesThatCantBe) {
+    expect("edaha draw young.xml --frames 13 -o x.svg", 2, "",
+           "edaha: --frames: '13' is not a whole number from 1 to 12\n");
+    expect("edaha draw young.xml --frames 2.5 -o x.svg", 2, "",
+           "edaha: --frames: '2.5' is not a whole number from 1 to 12\n");
+    expect("edaha draw oak --frames 4 -o x.svg", 2, "",
+           "edaha: --frames: 'oak' does not grow by its surface\n");
+    expect("edaha draw young.xml --frames 2 -o -", 2, "",
+           "edaha: --frames needs files (-o names them)\n");
+}
+
+TEST_F(SurfaceCommands, ReportsTheGrowth) {
+    const auto json = nlohmann::json::parse(sh("edaha measure young.xml --json").out);
+    EXPECT_EQ(json["steps"], 12);
+    for (const char* key : {"vertices", "faces", "grown_branches", "fusions", "pins", "contacts",
+                            "crossing_pairs", "edges_in_range", "longest_edge_mm", "deepest_mm"})
+        EXPECT_TRUE(json[key].is_number()) << key;
+    const auto stats = sh("edaha draw young.xml --stats -o x.svg");
+    EXPECT_EQ(stats.err.substr(0, 5), "grow ") << stats.err;
+    EXPECT_NE(stats.err.find("12 steps\n"), std::string::npos) << stats.err;
+    EXPECT_EQ(sh("edaha mesh young.xml -o young.ply").exit_code, 0);
+    EXPECT_EQ(sh("edaha flatten young.ply -o x.svg").err, "");
+}
+
+TEST_F(SurfaceCommands, ExplainsLists) {
+    expect("edaha explain burl.radius", 0,
+           "burl.radius: R: beyond it, the burl makes nothing grow faster\n"
+           "  value    number: 1 … 1e6 mm\n"
+           "  default  300\n"
+           "  source   paper 6.1\n",
+           "");
+    expect("edaha explain hollw", 2, "", "edaha: hollw: no such group (did you mean 'hollow'?)\n");
+    expect("edaha draw young.xml --set burl.radius=3", 2, "",
+           "edaha: --set: burl.radius: only style files can set it: there may be many\n");
+}
+
+TEST_F(SurfaceCommands, ChecksLists) {
+    write("bad.xml", "<tree name=\"bad\" models=\"surface\">\n  <burl strenth=\"2\"/>\n</tree>\n");
+    expect("edaha check bad.xml", 1,
+           "bad.xml:2:9: burl.strenth: no such parameter (did you mean 'strength'?)\n", "");
+}
+
+}  // namespace
+}  // namespace edaha

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// From a style that grows by its surface to its pictures.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "app/frames.h"
+#include "app/obstacle_mesh.h"
+#include "drawing/check.h"
+#include "mesh/mesh_check.h"
+#include "style/catalogue.h"
+
+namespace edaha {
+namespace {
+
+LeafImport load_a_leaf(const std::string& name) {
+    return read_leaf(Catalogue().find_leaf(name).text, name);
+}
+
+Style small_tree() {
+    Style style;
+    style.models = {Model::surface};
+    style.surface.steps = 12;
+    style.surface.seed_height_mm = 400;
+    style.page.size_mm = 60;
+    return style;
+}
+
+TEST(SurfacePicture, KeepsTheContractAndReportsGrowth) {
+    Style style = small_tree();
+    style.sprig.energy = 8;
+    style.leaf.shape = "round";
+    const Picture picture = draw_picture(style, load_a_leaf);
+    for (const auto& problem : check(picture.drawing))
+        ADD_FAILURE() << problem;
+    ASSERT_TRUE(picture.counts.surface.has_value());
+    EXPECT_EQ(picture.counts.surface->steps, 12);
+    EXPECT_GT(picture.counts.triangles, 0U);
+    EXPECT_NEAR(std::max(picture.drawing.width_mm, picture.drawing.height_mm), 60, 0.02);
+    EXPECT_EQ(picture.steps.front().name, "grow");
+}
+
+TEST(SurfacePicture, FramesShareAPageAndTheirFoot) {
+    const std::vector<Picture> frames = draw_frames(small_tree(), load_a_leaf, 4, {});
+    ASSERT_EQ(frames.size(), 4U);
+    for (const Picture& frame : frames) {
+        EXPECT_EQ(frame.drawing.width_mm, frames.back().drawing.width_mm);
+        EXPECT_EQ(frame.drawing.height_mm, frames.back().drawing.height_mm);
+        EXPECT_TRUE(check(frame.drawing).empty());
+    }
+    EXPECT_LE(frames.front().counts.triangles, frames.back().counts.triangles);
+}
+
+TEST(SurfacePicture, FrameFilesSortByTheirNumber) {
+    EXPECT_EQ(frame_file("out/grow.svg", 7, 12), "out/grow-007.svg");
+    EXPECT_EQ(frame_file("grow.pdf", 12, 1000), "grow-0012.pdf");
+}
+
+TEST(SurfacePicture, ObstaclesAreClosedAndOneSided) {
+    SolidParams solid;
+    for (const SolidShape shape : {SolidShape::box, SolidShape::ball, SolidShape::rod}) {
+        solid.shape = shape;
+        solid.to = {300, 1000, 200};
+        const Mesh mesh = obstacle_mesh(solid, "obstacle-1");
+        const MeshReport report = validate(mesh);
+        EXPECT_TRUE(report.sound()) << static_cast<int>(shape);
+        EXPECT_EQ(report.open_edges, 0U) << static_cast<int>(shape);
+        EXPECT_EQ(report.inverted_pieces, 0U) << static_cast<int>(shape);
+    }
+    solid.shape = SolidShape::plane;
+    EXPECT_TRUE(obstacle_mesh(solid, "obstacle-1").triangles.empty());
+}
+
+}  // namespace
+}  // namespace edaha
