@@ -14,7 +14,10 @@ namespace edaha::test {
 // A test for each built-in style: the parameter is its name.
 class EveryStyle : public testing::TestWithParam<std::string> {};
 
+// The figures of surface growth take seconds each and differ in numbers alone: one stands for all.
 std::vector<std::string> built_in_styles();
+
+bool grows_surface(const std::string& style);
 
 // "paper/energy-a-100-plain" as gtest takes it: paper_energy_a_100_plain.
 std::string style_test_name(const testing::TestParamInfo<std::string>& info);
