@@ -14,6 +14,7 @@
 #include "base/parallel.h"
 #include "flatten/grow_ring.h"
 #include "flatten/paint_order.h"
+#include "geometry/bounds.h"
 #include "geometry/measure.h"
 
 namespace edaha {
@@ -234,14 +235,17 @@ class FillPainter {
         return narrow ? GrownEnd::taper : GrownEnd::butt;
     }
 
-    std::vector<CurvePiece> outline(std::span<const ArcUse> uses, std::uint32_t time) const {
+    // `trapped`: grown and shrunk along its borders.
+    std::vector<CurvePiece> outline(std::span<const ArcUse> uses, std::uint32_t time,
+                                    bool trapped) const {
         const ArcGraph& graph = picture_.graph;
+        const auto growth_of = [&](ArcUse use) { return trapped ? growth(use, time) : 0; };
         std::vector<GrownPiece> ring;
         for (std::size_t i = 0; i < uses.size();) {
-            const double by = growth(uses[i], time);
+            const double by = growth_of(uses[i]);
             std::vector<CurveSpan> spans{picture_.curves.span(uses[i])};
             std::size_t end = i + 1;
-            for (; end < uses.size() && growth(uses[end], time) == by; ++end) {
+            for (; end < uses.size() && growth_of(uses[end]) == by; ++end) {
                 const CurveSpan next = picture_.curves.span(uses[end]);
                 if (next.run != spans.back().run || next.from != spans.back().to) break;
                 spans.push_back(next);
@@ -266,18 +270,30 @@ class FillPainter {
         return grow_ring(ring);
     }
 
+    // A hole that touches its outline in a node may come to stick out of it where one grows and the
+    // other shrinks: then both stay as they are.
     Path path_of(const RegionRings& traced, const Area& area) const {
+        bool sound = true;
+        Path path = path_of(traced, area, true, sound);
+        return sound ? path : path_of(traced, area, false, sound);
+    }
+
+    Path path_of(const RegionRings& traced, const Area& area, bool trapped, bool& sound) const {
         Path path;
+        Bounds outlines;
         for (const std::uint32_t i : area.rings) {
             const RegionRings::Ring& ring = traced.rings[i];
             const std::vector<ArcUse> uses = arcs_of_ring(picture_.graph.arcs, traced.of(ring));
             Path outline_path;
-            append_pieces(outline_path, outline(uses, area.time), picture_.page_from_px);
+            append_pieces(outline_path, outline(uses, area.time, trapped), picture_.page_from_px);
             if (outline_path.verbs.size() < 3) continue;
             outline_path.close();
             // Curves may turn a sliver inside out: then nothing of it is left.
             if (signed_area(outline_path) * ring.area <= 0) continue;
             if (path.empty() && ring.area < 0) continue;
+            const Bounds box = bounds(outline_path);
+            if (ring.area > 0) outlines.include(box);
+            sound = sound && outlines.contains(box.min) && outlines.contains(box.max);
             path.verbs.insert(path.verbs.end(), outline_path.verbs.begin(),
                               outline_path.verbs.end());
             path.points.insert(path.points.end(), outline_path.points.begin(),

@@ -26,8 +26,11 @@ TEST_P(Bytes, DoNotDependOnThreads) {
     }
 }
 
+// The paper's figures of surface growth are single trunks that leave nothing to chance.
 TEST_P(Bytes, DependOnTheSeed) {
-    EXPECT_NE(svg_with_threads(2, GetParam(), 1), svg_with_threads(2, GetParam(), 2));
+    const bool has_chance = !GetParam().starts_with("paper/surface-");
+    const std::string one = svg_with_threads(2, GetParam(), 1);
+    EXPECT_EQ(one != svg_with_threads(2, GetParam(), 2), has_chance);
 }
 
 INSTANTIATE_TEST_SUITE_P(Styles, Bytes, testing::ValuesIn(built_in_styles()), style_test_name);

@@ -24,7 +24,7 @@ TEST_P(Drawings, KeepTheContract) {
 const std::set<std::string> kLayerNames{
     "Ground",     "Wood behind", "Leaves behind", "Blossom behind", "Fruit behind",
     "Wood",       "Leaves",      "Blossom",       "Fruit",          "Roots",
-    "Root lines", "Tree",        "Tree lines"};
+    "Root lines", "Tree",        "Tree lines",    "Sprigs behind",  "Sprigs"};
 
 TEST_P(Drawings, NameTheirLayers) {
     for (const std::uint64_t seed : seeds(GetParam())) {
