@@ -88,10 +88,23 @@ Mesh read_and_mend(const std::string& file, bool z_up, FlatFile& result) {
     return mesh;
 }
 
-FlatFile flatten_mesh_file(const std::string& file, bool z_up, const Style& style) {
+BarkTile read_tile(const std::string& name, LeafShelf& leaves, FlatFile& result) {
+    if (name.empty()) return {};
+    const BarkImport& import = leaves.bark(name);
+    for (const Problem& warning : import.warnings)
+        result.warnings.push_back(to_string(warning));
+    return import.tile;
+}
+
+FlatFile flatten_mesh_file(const std::string& file, bool z_up, const Style& style,
+                           LeafShelf& leaves) {
     FlatFile result;
+    const BarkTile bark = read_tile(style.flatten.bark_tile, leaves, result);
     const Mesh mesh = read_and_mend(file, z_up, result);
-    Flattened flat = flatten(mesh, style.flatten, flat_inks(style.palette, mesh.materials));
+    if (mesh.uv.empty() && (!bark.empty() || style.flatten.bark_mm > 0))
+        result.warnings.push_back(file + ": it has no bark, because it has no places in (u,v)");
+    Flattened flat =
+        flatten(mesh, style.flatten, flat_inks(style.palette, mesh.materials), bark);
     result.steps.insert(result.steps.end(), flat.steps.begin(), flat.steps.end());
     settle_ids(flat.layers, {}, {});
     result.drawing.layers = std::move(flat.layers);
@@ -100,7 +113,7 @@ FlatFile flatten_mesh_file(const std::string& file, bool z_up, const Style& styl
 }
 
 Metadata metadata_of_file(const TreeStyle& tree, const Options& options, const WriteParams& params,
-                          const FlatFile& flat) {
+                          const FlatFile& flat, LeafShelf& leaves) {
     Metadata metadata;
     metadata.title = file_stem(options.flatten.model);
     metadata.command = tree.command;
@@ -109,6 +122,8 @@ Metadata metadata_of_file(const TreeStyle& tree, const Options& options, const W
     for (const std::string& text : {metadata.version, metadata.command, to_xml(tree.style),
                                     text_of(params), flat.fingerprint})
         recipe.add(text);
+    const std::string& bark = tree.style.flatten.bark_tile;
+    if (!bark.empty()) recipe.add(leaves.fingerprint(bark));
     metadata.recipe = recipe.text();
     return metadata;
 }
@@ -150,8 +165,9 @@ int flatten_file(const Options& options, Console& console) {
     const bool z_up = z_is_up(options.flatten.up);
     const Target target = choose_target(options, file_stem(options.flatten.model));
     const WriteParams params = write_params(options.write, tree.style);
-    FlatFile flat = flatten_mesh_file(options.flatten.model, z_up, tree.style);
-    flat.drawing.metadata = metadata_of_file(tree, options, params, flat);
+    LeafShelf leaves(catalogue);
+    FlatFile flat = flatten_mesh_file(options.flatten.model, z_up, tree.style, leaves);
+    flat.drawing.metadata = metadata_of_file(tree, options, params, flat, leaves);
     Stopwatch watch;
     const WriteReport report = write_target(flat.drawing, target, params, console);
     flat.steps.push_back({"write", watch.lap(), report.bytes, "bytes"});

@@ -9,15 +9,39 @@ LeafLoader LeafShelf::loader() {
     return [this](const std::string& name) { return leaf(name); };
 }
 
-const LeafShelf::Entry& LeafShelf::find(const std::string& name) {
+BarkLoader LeafShelf::bark_loader() {
+    return [this](const std::string& name) { return bark(name); };
+}
+
+SourceText LeafShelf::source_of(const std::string& name) const {
+    return catalogue_.find_leaf(resolve_leaf(name, folder_));
+}
+
+const LeafImport& LeafShelf::find(const std::string& name) {
     const std::scoped_lock lock(mutex_);
-    const auto known = entries_.find(name);
-    if (known != entries_.end()) return known->second;
-    const SourceText source = catalogue_.find_leaf(resolve_leaf(name, folder_));
-    Fingerprint fingerprint;
-    fingerprint.add(source.text);
-    Entry entry{read_leaf(source.text, source.origin), fingerprint.text()};
-    return entries_.emplace(name, std::move(entry)).first->second;
+    const auto known = leaves_.find(name);
+    if (known != leaves_.end()) return known->second;
+    const SourceText source = source_of(name);
+    return leaves_.emplace(name, read_leaf(source.text, source.origin)).first->second;
+}
+
+const BarkImport& LeafShelf::bark(const std::string& name) {
+    const std::scoped_lock lock(mutex_);
+    const auto known = barks_.find(name);
+    if (known != barks_.end()) return known->second;
+    const SourceText source = source_of(name);
+    return barks_.emplace(name, read_bark(source.text, source.origin)).first->second;
+}
+
+std::string LeafShelf::fingerprint(const std::string& name) {
+    const std::scoped_lock lock(mutex_);
+    std::string& known = fingerprints_[name];
+    if (known.empty()) {
+        Fingerprint fingerprint;
+        fingerprint.add(source_of(name).text);
+        known = fingerprint.text();
+    }
+    return known;
 }
 
 }  // namespace edaha

@@ -11,7 +11,7 @@
 
 namespace edaha {
 
-// Leaf drawings of a catalogue, each read once for any number of pictures and threads.
+// Leaf drawings and bark tiles of a catalogue, each read once for any number of pictures and threads.
 // Errors of all calls: InputError and IoError, as for the drawing itself.
 class LeafShelf {
   public:
@@ -21,23 +21,25 @@ class LeafShelf {
     LeafShelf(const LeafShelf&) = delete;
     LeafShelf& operator=(const LeafShelf&) = delete;
 
-    const LeafImport& leaf(const std::string& name) { return find(name).import; }
-    const std::string& fingerprint(const std::string& name) { return find(name).fingerprint; }
+    const LeafImport& leaf(const std::string& name) { return find(name); }
+    std::string fingerprint(const std::string& name);  // of its text
+
+    const BarkImport& bark(const std::string& name);
 
     // For draw_picture; as long as this lives.
     LeafLoader loader();
+    BarkLoader bark_loader();
 
   private:
-    struct Entry {
-        LeafImport import;
-        std::string fingerprint;  // of its text
-    };
-    const Entry& find(const std::string& name);
+    const LeafImport& find(const std::string& name);
+    SourceText source_of(const std::string& name) const;
 
     const Catalogue& catalogue_;
     std::filesystem::path folder_;
     std::mutex mutex_;
-    std::map<std::string, Entry> entries_;  // which never move
+    std::map<std::string, LeafImport> leaves_;  // which never move
+    std::map<std::string, BarkImport> barks_;
+    std::map<std::string, std::string> fingerprints_;
 };
 
 }  // namespace edaha

@@ -9,6 +9,7 @@
 
 #include "base/keyed_random.h"
 #include "base/parallel.h"
+#include "flatten/seen_stretches.h"
 #include "flatten/taper.h"
 
 namespace edaha {
@@ -19,9 +20,6 @@ constexpr double kCrowded = 0.45;
 // Dashes and gaps, in spacings: long enough to flow, short enough to look drawn.
 constexpr double kShortestDash = 5, kDashRange = 14, kShortestGap = 0.8, kGapRange = 3;
 constexpr double kShortestStroke_px = 3;
-constexpr int kHalvings = 6;
-// Twigs that hide less of a line than this may be missed.
-constexpr double kLook_px = 3;
 
 // A place on a line: in the view, where it crosses an edge of the mesh.
 struct Crossing {
@@ -36,9 +34,6 @@ struct Passage {
     Crossing ends[2];
 };
 
-Vec3 to_vec3(ViewPoint p) {
-    return {p.x, p.y, p.z};
-}
 Vec2 on_plane(Vec3 p) {
     return {p.x, p.y};
 }
@@ -162,51 +157,17 @@ class BarkTracer {
         const Vec3 a = p.ends[passage % 2].at, b = p.ends[1 - passage % 2].at;
         return a + (b - a) * t;
     }
-    bool is_hidden(std::uint32_t passage, double t) const {
-        const Vec3 p = at(passage, t);
-        const std::uint32_t own = passages_[passage / 2].triangle;
-        return scene_.rays.is_hidden(on_plane(p), p.z, {own, own});
-    }
-
-    // Where between two values of t the line comes out of hiding or goes into it.
-    double halve(std::uint32_t passage, double shown, double hidden) const {
-        for (int i = 0; i < kHalvings; ++i) {
-            const double middle = (shown + hidden) / 2;
-            (is_hidden(passage, middle) ? hidden : shown) = middle;
-        }
-        return shown;
-    }
-
     // The visible stretches of a chain, as dashes.
     void cut(const Chain& chain, std::vector<BarkStroke>& found) const {
-        std::vector<Vec2> points;
-        const auto add = [&](std::uint32_t passage, double t) {
-            points.push_back(on_plane(at(passage, t)) / double(kStepsPerPx));
-        };
-        const auto end = [&] {
-            if (points.size() > 1) dash(points, chain.front(), found);
-            points.clear();
-        };
-        for (const std::uint32_t passage : chain) {
-            const double length = glm::distance(on_plane(at(passage, 0)), on_plane(at(passage, 1)));
-            const int looks = static_cast<int>(length / (kLook_px * kStepsPerPx)) + 1;
-            for (int i = 0; i < looks; ++i) {
-                const double from = double(i) / looks, to = double(i + 1) / looks;
-                // Not on edges, where two triangles are seen.
-                const double near_from = from + 0.02 * (to - from);
-                const double near_to = to - 0.02 * (to - from);
-                const bool start = !is_hidden(passage, near_from);
-                const bool stop = !is_hidden(passage, near_to);
-                if (start && points.empty()) add(passage, from);
-                if (start) add(passage, stop ? to : halve(passage, near_from, near_to));
-                if (!start || !stop) end();
-                if (stop && !start) {
-                    add(passage, halve(passage, near_to, near_from));
-                    add(passage, to);
-                }
-            }
+        std::vector<SurfaceStep> way;
+        for (const std::uint32_t passage : chain)
+            way.push_back({at(passage, 0), at(passage, 1), passages_[passage / 2].triangle});
+        for (const SeenStretch& stretch : seen_stretches(scene_.rays, way)) {
+            std::vector<Vec2> points;
+            for (const SeenPlace& place : stretch)
+                points.push_back(place.at / double(kStepsPerPx));
+            dash(points, chain.front(), found);
         }
-        end();
     }
 
     void dash(const std::vector<Vec2>& points, std::uint32_t first,

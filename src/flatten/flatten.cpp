@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "flatten/bark_layer.h"
 #include "flatten/bark_strokes.h"
 #include "flatten/draw_flat.h"
 #include "flatten/make_map.h"
@@ -31,22 +32,29 @@ FlatFrame frame_of(const View& view, const FlatPlace& place) {
 
 }  // namespace
 
-Flattened flatten(const Mesh& mesh, const FlattenParams& params, const FlattenInks& inks) {
+Flattened flatten(const Mesh& mesh, const FlattenParams& params, const FlattenInks& inks,
+                  const BarkTile& bark_tile) {
     Flattened result;
     if (mesh.triangles.empty()) return result;
     StepClock clock;
     SeenMesh seen = see_mesh(mesh, params, clock);
     const FlatPlace place = place_of(seen.view, params);
     result.frame = frame_of(seen.view, place);
+    const Scene scene{mesh, seen.view, seen.tones, seen.rays};
     Layer bark;
-    if (params.bark_mm > 0)
-        bark = draw_bark({mesh, seen.view, seen.tones, seen.rays}, params, inks, place);
+    if (!bark_tile.empty()) {
+        const std::vector<TileStroke> traced = trace_tile(scene, bark_tile, params, place);
+        bark = draw_tile_bark(traced, mesh, params, inks, place);
+        clock.end_step("bark", traced.size(), "strokes");
+    } else if (params.bark_mm > 0) {
+        bark = draw_bark(scene, params, inks, place);
+        clock.end_step("bark", bark.children.size(), "strokes");
+    }
     result.layers = draw_flat(std::move(seen.map), mesh.parts, params, inks, place, clock);
     // Over the fills, under the lines.
     if (!bark.children.empty()) {
         const auto lines = std::find_if(result.layers.begin(), result.layers.end(),
                                         [](const Layer& layer) { return layer.label != "Fills"; });
-        clock.end_step("bark", bark.children.size(), "strokes");
         result.layers.insert(lines, std::move(bark));
     }
     result.steps = clock.take();

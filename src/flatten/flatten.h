@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "drawing/bark_tile.h"
 #include "drawing/drawing.h"
 #include "flatten/flat_frame.h"
 #include "flatten/flatten_params.h"
@@ -37,6 +38,8 @@ struct Flattened {
 // and lines from the labels. The same bytes with any number of threads. Open, crossing or inverted
 // surfaces are drawn as they are seen. O(n log n + k) for k crossings in the picture.
 // Needs a finite mesh (mend() in mesh_check.h). `inks.tones` has one entry a material.
-Flattened flatten(const Mesh& mesh, const FlattenParams& params, const FlattenInks& inks);
+// `bark` is what params.bark_tile names; empty: none.
+Flattened flatten(const Mesh& mesh, const FlattenParams& params, const FlattenInks& inks,
+                  const BarkTile& bark = {});
 
 }  // namespace edaha

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <numbers>
+#include <string>
 
 namespace edaha {
 
@@ -41,7 +42,11 @@ struct FlattenParams {
     double min_area_px2 = 2;    // smaller areas join a neighbour
     double trap_mm = 0.08;      // areas run under their neighbours by this, against seams
     double fade = 0;            // how far parts at the back turn to the paper's colour: 0-1
-    double bark_mm = 0;         // spacing of bark strokes along (u,v); 0: none
+    double bark_mm = 0;         // spacing of plain bark strokes along (u,v); 0: none
+    std::string bark_tile;      // bark drawn after a tile instead: its name; empty: none
+    double bark_scale = 1;      // of that tile: 1 is as large as drawn
+    double bark_width = 1;      // of its strokes
+    double bark_shade = 0.6;    // how far strokes gather in the shade: 0-1
 };
 
 }  // namespace edaha

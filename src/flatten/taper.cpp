@@ -14,7 +14,6 @@ namespace edaha {
 namespace {
 
 constexpr double kStep_px = 1.5;
-constexpr double kTolerance_px = 0.1;
 constexpr double kMiterLimit = 1.5;
 constexpr double kCornerCos = 0.94;  // 20 degrees
 
@@ -98,7 +97,17 @@ class Taperer {
     double half_width(double s) const {
         const double end = std::min(s, length() - s);
         const double share = params_.taper_px > 0 ? std::min(1.0, end / params_.taper_px) : 1;
-        return params_.width_px / 2 * stable::sin_cos(share * std::numbers::pi / 2).sin;
+        return params_.width_px / 2 * stable::sin_cos(share * std::numbers::pi / 2).sin * width(s);
+    }
+
+    // In parts of the line's own.
+    double width(double s) const {
+        const std::span<const double> widths = params_.widths;
+        if (widths.empty()) return 1;
+        const double place = length() > 0 ? s / length() * double(widths.size() - 1) : 0;
+        const auto i = std::min(static_cast<std::size_t>(place), widths.size() - 1);
+        const double next = widths[std::min(i + 1, widths.size() - 1)];
+        return widths[i] + (next - widths[i]) * (place - double(i));
     }
 
     double corner_distance(double s) const {
@@ -123,8 +132,8 @@ Path tapered(std::span<const CurvePiece> line, const TaperParams& params,
     const Taperer taperer(line, params);
     if (taperer.length() < 0.1) return path;
     SmoothParams smooth;
-    smooth.tolerance = kTolerance_px;
-    smooth.noise = kTolerance_px / 4;
+    smooth.tolerance = params.tolerance_px;
+    smooth.noise = params.tolerance_px / 4;
     std::vector<Vec2> right = taperer.side(1), left = taperer.side(-1);
     std::reverse(left.begin(), left.end());
     if (right.size() < 2 || left.size() < 2) return path;

@@ -23,6 +23,10 @@ inline GridPoint on_screen(ViewPoint p) {
     return {p.x, p.y};
 }
 
+inline Vec3 to_vec3(ViewPoint p) {
+    return {p.x, p.y, p.z};
+}
+
 inline constexpr int kStepsPerPx = 2048;
 inline constexpr double kMostPixels = 8000;  // along the longer side: the grid's limit
 

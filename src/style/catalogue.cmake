@@ -68,6 +68,10 @@ set(EDAHA_STYLES
 set(EDAHA_LEAVES
   apple
   apple-leaf
+  bark-furrowed
+  bark-lenticels
+  bark-peeling
+  bark-plated
   birch
   cherry-blossom
   cherry-leaf

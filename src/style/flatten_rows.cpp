@@ -79,6 +79,14 @@ std::vector<Parameter> flatten_rows() {
         "how far parts at the back turn to the colour of the paper"});
     rows.add(&P::bark_mm, {"bark", mm(0, 1000), kOurs,
         "spacing of bark strokes; 0: none", {0, 12}});
+    rows.add(&P::bark_tile, {"bark-tile", kOurs,
+        "bark drawn after a tile instead: a name (bark-furrowed) or an SVG file; empty: none"});
+    rows.add(&P::bark_scale, {"bark-scale", {0.01, 100}, kOurs,
+        "size of the bark tile: 1 is as large as drawn", {0.4, 2}});
+    rows.add(&P::bark_width, {"bark-width", {0, 10}, kOurs,
+        "width of the tile's strokes: 1 is as wide as drawn", {0.5, 2}});
+    rows.add(&P::bark_shade, {"bark-shade", {0, 1}, kOurs,
+        "how far the tile's strokes gather in the shade"});
     // clang-format on
     std::vector<Parameter> all = camera_rows();
     std::ranges::move(rows.take(), std::back_inserter(all));

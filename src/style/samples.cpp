@@ -53,10 +53,20 @@ std::vector<std::string> intervals(const Range& range) {
     });
 }
 
+// Bark tiles lie on the same shelf, and are known by their names.
+std::vector<std::string> drawings(bool bark) {
+    std::vector<std::string> names;
+    for (const BuiltIn& file : built_in_leaves()) {
+        if (file.name.starts_with("bark-") == bark) names.emplace_back(file.name);
+    }
+    return names;
+}
+
 std::vector<std::string> some_leaves() {
-    const auto leaves = built_in_leaves();
-    return five(
-        [&](int i) { return std::string(leaves[i * (leaves.size() - 1) / (kCount - 1)].name); });
+    const std::vector<std::string> leaves = drawings(false);
+    return five([&](int i) {
+        return leaves[static_cast<std::size_t>(i) * (leaves.size() - 1) / (kCount - 1)];
+    });
 }
 
 }  // namespace
@@ -71,7 +81,8 @@ Range usual_range(const Parameter& parameter) {
 std::vector<std::string> samples(const Parameter& parameter) {
     if (std::holds_alternative<Flag>(parameter.field)) return {"no", "yes"};
     if (const auto* choice = std::get_if<Choice>(&parameter.field)) return choice->names;
-    if (std::holds_alternative<Reference>(parameter.field)) return some_leaves();
+    if (std::holds_alternative<Reference>(parameter.field))
+        return parameter.name == "bark-tile" ? drawings(true) : some_leaves();
     const Range range = usual_range(parameter);
     if (range.low == range.high) return {};
     if (std::holds_alternative<Interval>(parameter.field)) return intervals(range);

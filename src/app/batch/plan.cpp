@@ -117,6 +117,7 @@ void BatchPlan::check_styles(LeafShelf& leaves) const {
         for (const OrnamentParams* ornament : {&style.leaf, &style.blossom, &style.fruit}) {
             if (!ornament->shape.empty()) leaves.leaf(ornament->shape);
         }
+        if (!style.flatten.bark_tile.empty()) leaves.bark(style.flatten.bark_tile);
     }
 }
 
@@ -125,7 +126,9 @@ void BatchPlan::check_names_in(const Variation& variation, LeafShelf& leaves) co
     const bool is_palette = variation.parameter == nullptr;
     if (!is_palette && !names_drawings(variation)) return;
     for (const std::string& value : variation.values) {
-        if (!is_palette && !value.empty()) leaves.leaf(value);
+        const bool is_bark = !is_palette && variation.parameter->key() == "flatten.bark-tile";
+        if (is_bark && !value.empty()) leaves.bark(value);
+        if (!is_palette && !is_bark && !value.empty()) leaves.leaf(value);
         for (const TreeStyle& base : bases_) {
             TreeOptions change;
             if (is_palette) change.palette = palette_option(base.style, value);

@@ -171,6 +171,13 @@ bool TreeReader::has_leaves(const Style& style, std::size_t offset) {
             return false;
         }
     }
+    if (style.flatten.bark_tile.empty()) return true;
+    try {
+        leaves_.bark(style.flatten.bark_tile);
+    } catch (const std::runtime_error& error) {
+        take_error(error, offset);
+        return false;
+    }
     return true;
 }
 

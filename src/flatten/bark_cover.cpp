@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "flatten/bark_cover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "base/keyed_random.h"
+#include "base/parallel.h"
+#include "base/stable_math.h"
+#include "mesh/edges.h"
+
+namespace edaha {
+namespace {
+
+// How far copies are swayed, in tiles: less, and the repeat is seen; more, and strokes that should
+// stay apart come to lie on each other.
+constexpr double kSway = 0.05;
+// A tile is not laid smaller than this along thin branches: marks would become dots.
+constexpr double kShortestTile = 0.6, kLongestTile = 1.4;
+// Beyond that many strokes on one part the tile is laid larger: they could not be told apart.
+constexpr double kMostLines = 40'000;
+// Part of a rank that is chance, so that copies keep different strokes.
+constexpr double kChance = 0.3;
+
+double fraction(Key key) {
+    return double(key >> 11) * 0x1p-53;
+}
+
+// What of a part's places is known from its triangles.
+struct UvExtent {
+    Vec2 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
+    Vec2 sums{0};  // lengths of a unit of u and of v, weighted with the area
+    double area = 0;
+    std::vector<double> jumps;  // of u, at seams
+};
+
+class CoverLayer {
+  public:
+    CoverLayer(const Mesh& mesh, const View& view, const BarkTile& tile, double units_per_mm,
+               double thinnest_units)
+        : mesh_(mesh),
+          view_(view),
+          tile_(tile),
+          units_per_mm_(units_per_mm),
+          thinnest_(thinnest_units),
+          extents_(mesh.parts.size()) {}
+
+    std::vector<PartCover> run() {
+        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+            measure(t);
+        for (const MeshEdge& edge : mesh_edges(mesh_))
+            find_jump(edge);
+        std::vector<PartCover> covers(mesh_.parts.size());
+        for_each_index(covers.size(), 16, [&](std::size_t part) { covers[part] = cover(part); });
+        return covers;
+    }
+
+  private:
+    bool has_bark(std::size_t part) const {
+        const std::uint32_t material = mesh_.parts[part].material;
+        if (material >= mesh_.materials.size()) return true;
+        const std::string& name = mesh_.materials[material].name;
+        return name != "leaf" && name != "xylem";
+    }
+
+    void measure(std::uint32_t t) {
+        UvExtent& extent = extents_[mesh_.part_of[t]];
+        const auto& uv = mesh_.uv[t];
+        const Vec2 a = uv[1] - uv[0], b = uv[2] - uv[0];
+        const double det = a.x * b.y - a.y * b.x;
+        if (!(std::abs(det) > 1e-12 * (glm::dot(a, a) + glm::dot(b, b)))) return;
+        const auto& corners = mesh_.triangles[t];
+        const Vec3 p = mesh_.points[corners[1]] - mesh_.points[corners[0]];
+        const Vec3 q = mesh_.points[corners[2]] - mesh_.points[corners[0]];
+        const double area = glm::length(glm::cross(p, q));
+        extent.sums += area * Vec2(glm::length((p * b.y - q * a.y) / det),
+                                   glm::length((q * a.x - p * b.x) / det));
+        extent.area += area;
+        if (view_.front[t] == 0) return;
+        for (const Vec2 place : uv) {
+            extent.low = glm::min(extent.low, place);
+            extent.high = glm::max(extent.high, place);
+        }
+    }
+
+    Vec2 place_at(std::uint32_t t, std::uint32_t point) const {
+        const auto& corners = mesh_.triangles[t];
+        const auto k = std::find(corners.begin(), corners.end(), point) - corners.begin();
+        return mesh_.uv[t][static_cast<std::size_t>(k)];
+    }
+
+    // Both ends of an edge jump alike.
+    void find_jump(const MeshEdge& edge) {
+        if (edge.left == kNone || edge.right == kNone) return;
+        if (mesh_.part_of[edge.left] != mesh_.part_of[edge.right]) return;
+        const Vec2 a = place_at(edge.left, edge.a) - place_at(edge.right, edge.a);
+        const Vec2 b = place_at(edge.left, edge.b) - place_at(edge.right, edge.b);
+        const double jump = std::abs(a.x);
+        if (!(jump > 0) || !(glm::length(a - b) < 1e-3 * jump) || !(std::abs(a.y) < 1e-3 * jump))
+            return;
+        extents_[mesh_.part_of[edge.left]].jumps.push_back(jump);
+    }
+
+    PartCover cover(std::size_t part) {
+        PartCover cover;
+        UvExtent& extent = extents_[part];
+        if (!has_bark(part) || !(extent.area > 0) || !(extent.low.x <= extent.high.x)) return cover;
+        cover.size = extent.sums / extent.area;
+        if (!extent.jumps.empty()) {
+            const auto middle =
+                extent.jumps.begin() + static_cast<std::ptrdiff_t>(extent.jumps.size() / 2);
+            std::nth_element(extent.jumps.begin(), middle, extent.jumps.end());
+            cover.around = *middle;
+        }
+        const Vec2 range = extent.high - extent.low;
+        const double width = (cover.around > 0 ? cover.around / std::numbers::pi : range.x);
+        if (!(width * cover.size.x > thinnest_) || !(cover.size.y > 0)) return cover;
+        choose_tile(cover, range);
+        lay(cover, extent, name_key(mesh_.parts[part].name));
+        return cover;
+    }
+
+    void choose_tile(PartCover& cover, Vec2 range) const {
+        const Vec2 size = Vec2(tile_.width_mm, tile_.height_mm) * units_per_mm_ / cover.size;
+        const Vec2 copies = glm::max(range / size, Vec2(1));
+        const double count = copies.x * copies.y * double(tile_.lines.size()) / kMostLines;
+        const double scale = std::max(1.0, count);  // one side alone may be long
+        cover.tile = size * scale;
+        if (cover.around > 0)
+            cover.tile.x =
+                cover.around / std::max(1.0, std::floor(cover.around / cover.tile.x + 0.5));
+        cover.squeeze = cover.tile.x / size.x;
+        cover.tile.y = size.y * std::clamp(cover.squeeze, kShortestTile, kLongestTile * scale);
+    }
+
+    void lay(PartCover& cover, const UvExtent& extent, Key key) const {
+        const auto first = [](double a) { return static_cast<std::int64_t>(std::floor(a)) - 1; };
+        std::int64_t left = first(extent.low.x / cover.tile.x);
+        std::int64_t right = first(extent.high.x / cover.tile.x) + 2;
+        if (cover.around > 0) {
+            left = 0;
+            right = static_cast<std::int64_t>(std::floor(cover.around / cover.tile.x + 0.5)) - 1;
+        }
+        const std::int64_t low = first(extent.low.y / cover.tile.y);
+        const std::int64_t high = first(extent.high.y / cover.tile.y) + 2;
+        for (std::int64_t row = low; row <= high; ++row) {
+            for (std::int64_t column = left; column <= right; ++column)
+                lay_copy(cover, key, column, row);
+        }
+    }
+
+    void lay_copy(PartCover& cover, Key key, std::int64_t column, std::int64_t row) const {
+        const Key own = step(step(key, static_cast<Key>(column)), static_cast<Key>(row));
+        const Vec2 scale = cover.tile / Vec2(tile_.width_mm, tile_.height_mm);
+        const Vec2 corner = cover.tile * Vec2(double(column), double(row));
+        for (std::uint32_t i = 0; i < tile_.lines.size(); ++i) {
+            LaidLine line;
+            line.line = i;
+            line.rank = (1 - kChance) * (i + 0.5) / double(tile_.lines.size()) +
+                        kChance * fraction(step(own, i));
+            for (const Vec2 p : tile_.lines[i].points)
+                line.places.push_back(swayed(cover, key, corner + p * scale));
+            cover.lines.push_back(std::move(line));
+        }
+    }
+
+    // Two waves each way, whole ones round the part.
+    static Vec2 swayed(const PartCover& cover, Key key, Vec2 place) {
+        const double turn = cover.around > 0 ? place.x / cover.around : place.x / cover.tile.x / 3;
+        const double rise = place.y / cover.tile.y;
+        Vec2 sum(0);
+        const double waves[2][2] = {{1, 0.43}, {2, -0.71}};
+        for (int axis = 0; axis < 2; ++axis) {
+            for (int i = 0; i < 2; ++i) {
+                const double phase = fraction(step(key, static_cast<Key>(2 * axis + i))) +
+                                     waves[i][0] * turn + waves[i][1] * rise;
+                sum[axis] += stable::sin_cos(2 * std::numbers::pi * (phase - std::floor(phase))).sin;
+            }
+        }
+        return place + kSway * sum * cover.tile;
+    }
+
+    const Mesh& mesh_;
+    const View& view_;
+    const BarkTile& tile_;
+    double units_per_mm_, thinnest_;
+    std::vector<UvExtent> extents_;
+};
+
+}  // namespace
+
+std::vector<PartCover> lay_bark(const Mesh& mesh, const View& view, const BarkTile& tile,
+                                double units_per_mm, double thinnest_units) {
+    if (mesh.uv.size() != mesh.triangles.size() || tile.empty() || !(units_per_mm > 0)) return {};
+    return CoverLayer(mesh, view, tile, units_per_mm, thinnest_units).run();
+}
+
+}  // namespace edaha
