@@ -17,7 +17,7 @@ namespace edaha {
 namespace {
 
 // Strokes nearer to each other than this share of what the tile has are thinned out.
-constexpr double kCrowded = 0.85;
+constexpr double kCrowded = 0.6;
 // No nearer than this: they would be one dark patch.
 constexpr double kLeastSpacing_px = 4;
 // How obliquely a surface may be seen: below the first nothing is drawn, above the second all.
@@ -98,7 +98,7 @@ class StrokeMaker {
         if (trace_.scene.tones.at.empty()) return 1;
         const FlattenParams& p = trace_.params;
         const double range = p.shine - p.shade;
-        double light = range > 0 ? smooth_step((bright - p.shade + range / 2) / (1.5 * range)) : 0.5;
+        double light = range > 0 ? smooth_step((bright - p.shade) / (1.15 * range)) : 0.5;
         if (line_.light) light = 1 - light;
         return 1 - p.bark_shade * light;
     }

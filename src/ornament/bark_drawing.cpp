@@ -20,6 +20,8 @@ constexpr double kTolerance = 0.02;  // of polylines, in parts of a hundredth of
 constexpr double kStep = 1.0 / 40;   // of the tile: closer, and lines cost more but bend no better
 constexpr int kAcross = 24;          // places at which the width of a narrow shape is taken
 constexpr double kMiddleGrey = 0.5;
+constexpr double kCornerCos = 0.6;   // 53 degrees: tips of narrow shapes turn far more
+constexpr std::size_t kMostEnds = 32;
 
 svg::Spot spot_of_root(const svg::SvgDocument& document) {
     return {svg::offset_of(document.root()), {}, false, 0};
@@ -97,33 +99,69 @@ std::vector<Line> subpaths_of(const Path& path, double tolerance) {
     return lines;
 }
 
-std::size_t farthest(const Line& ring, Vec2 from) {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < ring.size(); ++i) {
-        if (glm::distance(ring[i], from) > glm::distance(ring[best], from)) best = i;
+// From one place of a ring to another, forwards.
+Line way_between(const Line& ring, std::size_t from, std::size_t to) {
+    Line way{ring[from]};
+    for (std::size_t i = from; i != to;) {
+        i = (i + 1) % ring.size();
+        way.push_back(ring[i]);
     }
-    return best;
+    return way;
 }
 
-// The middle between the two ways from one far end of a ring to the other.
+// Both ways from one of its ends to the other.
+struct RingSides {
+    Line left, right;
+
+    double mean_square_width() const {
+        double sum = 0;
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            const Vec2 across = left[i] - right[i];
+            sum += glm::dot(across, across);
+        }
+        return sum;
+    }
+};
+
+RingSides sides_between(const Line& ring, std::size_t from, std::size_t to) {
+    RingSides sides{way_between(ring, from, to), way_between(ring, to, from)};
+    std::reverse(sides.right.begin(), sides.right.end());
+    sides.left = evened(sides.left, kAcross);
+    sides.right = evened(sides.right, kAcross);
+    return sides;
+}
+
+// Where a ring may end: its corners, or if it has not two, any place.
+std::vector<std::size_t> possible_ends(const Line& ring) {
+    std::vector<std::size_t> corners, all;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec2 before = ring[i] - ring[(i + ring.size() - 1) % ring.size()];
+        const Vec2 after = ring[(i + 1) % ring.size()] - ring[i];
+        const double cosine = glm::dot(before, after) / (glm::length(before) * glm::length(after));
+        if (cosine < kCornerCos) corners.push_back(i);
+        if (i % (ring.size() / kMostEnds + 1) == 0) all.push_back(i);
+    }
+    return corners.size() >= 2 && corners.size() <= kMostEnds ? corners : all;
+}
+
+// The middle between the two ways from one end of a ring to the other: of all pairs of ends those
+// between which it is narrowest.
 BarkLine middle_line(Line ring) {
     if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
     BarkLine line;
     if (ring.size() < 3) return line;
-    Vec2 centre(0);
-    for (const Vec2 p : ring)
-        centre += p / double(ring.size());
-    const std::size_t start = farthest(ring, centre);
-    std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(start), ring.end());
-    const auto far = static_cast<std::ptrdiff_t>(farthest(ring, ring.front()));
-    Line left(ring.begin(), ring.begin() + far + 1), right(ring.begin() + far, ring.end());
-    right.push_back(ring.front());
-    std::reverse(right.begin(), right.end());
-    left = evened(left, kAcross);
-    right = evened(right, kAcross);
-    for (std::size_t i = 0; i < left.size(); ++i) {
-        line.points.push_back((left[i] + right[i]) * 0.5);
-        line.widths_mm.push_back(glm::distance(left[i], right[i]));
+    const std::vector<std::size_t> ends = possible_ends(ring);
+    RingSides best;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        for (std::size_t k = i + 1; k < ends.size(); ++k) {
+            RingSides sides = sides_between(ring, ends[i], ends[k]);
+            if (best.left.empty() || sides.mean_square_width() < best.mean_square_width())
+                best = std::move(sides);
+        }
+    }
+    for (std::size_t i = 0; i < best.left.size(); ++i) {
+        line.points.push_back((best.left[i] + best.right[i]) * 0.5);
+        line.widths_mm.push_back(glm::distance(best.left[i], best.right[i]));
     }
     return line;
 }
