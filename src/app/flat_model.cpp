@@ -120,11 +120,7 @@ LimbsPlace crown_on(const TrunkTop& top, const FlatFrame& frame, double trunk_mm
 
 }  // namespace
 
-FlatModel draw_model(const Style& style, double trunk_mm, const SurfaceWatch& watch) {
-    return draw_model(style, make_model_mesh(style, watch), trunk_mm);
-}
-
-FlatModel draw_model(const Style& style, ModelMesh model, double trunk_mm) {
+FlatModel draw_model(const Style& style, ModelMesh model, double trunk_mm, const BarkTile& bark) {
     FlatModel result;
     result.model = std::move(model);
     FlattenParams params = style.flatten;
@@ -137,7 +133,7 @@ FlatModel draw_model(const Style& style, ModelMesh model, double trunk_mm) {
         for (Colour& tone : inks.tones[mesh.parts.front().material])
             tone = style.palette.wood;
     }
-    result.flat = flatten(mesh, params, inks);
+    result.flat = flatten(mesh, params, inks, bark);
     const FlatFrame& frame = result.flat.frame;
     result.stand = stand_of(result.model, frame);
     if (top && trunk_mm > 0) result.crown = crown_on(*top, frame, trunk_mm);

@@ -23,10 +23,8 @@ struct FlatModel {
 
 // `trunk_mm`: how thick the crown's trunk is; 0: there is none. The trunk of prop roots becomes as
 // thick if the style does not say the scale, and is of one tone: the crown's shade begins above.
-FlatModel draw_model(const Style& style, double trunk_mm, const SurfaceWatch& watch = {});
-
-// Of meshes that are there.
-FlatModel draw_model(const Style& style, ModelMesh model, double trunk_mm);
+// `bark` is the tile that the style names.
+FlatModel draw_model(const Style& style, ModelMesh model, double trunk_mm, const BarkTile& bark);
 
 // The mesh's places for twigs, as seen. Clumps are parts: boughs of order 2 with all they bear.
 std::vector<Site> sites(const FlatModel& model);

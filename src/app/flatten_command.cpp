@@ -103,8 +103,7 @@ FlatFile flatten_mesh_file(const std::string& file, bool z_up, const Style& styl
     const Mesh mesh = read_and_mend(file, z_up, result);
     if (mesh.uv.empty() && (!bark.empty() || style.flatten.bark_mm > 0))
         result.warnings.push_back(file + ": it has no bark, because it has no places in (u,v)");
-    Flattened flat =
-        flatten(mesh, style.flatten, flat_inks(style.palette, mesh.materials), bark);
+    Flattened flat = flatten(mesh, style.flatten, flat_inks(style.palette, mesh.materials), bark);
     result.steps.insert(result.steps.end(), flat.steps.begin(), flat.steps.end());
     settle_ids(flat.layers, {}, {});
     result.drawing.layers = std::move(flat.layers);

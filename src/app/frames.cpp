@@ -41,8 +41,8 @@ std::vector<Moment> grow_moments(const Style& style, std::int64_t count, Surface
 
 }  // namespace
 
-std::vector<Picture> draw_frames(const Style& style, const LeafLoader& load_leaf,
-                                 std::int64_t count, SurfaceWatch watch) {
+std::vector<Picture> draw_frames(const Style& style, const DrawingLoader& load, std::int64_t count,
+                                 SurfaceWatch watch) {
     std::vector<Moment> moments = grow_moments(style, count, std::move(watch));
     std::vector<Picture> pictures(moments.size());
     Style scaled = style;
@@ -50,7 +50,7 @@ std::vector<Picture> draw_frames(const Style& style, const LeafLoader& load_leaf
     Bounds box;
     for (std::size_t i = moments.size(); i-- > 0;) {
         ModelMesh model = model_of(style, std::move(moments[i].tree), moments[i].step);
-        pictures[i] = draw_model_picture(scaled, load_leaf, std::move(model), view);
+        pictures[i] = draw_model_picture(scaled, load, std::move(model), view);
         scaled.flatten.mm_per_unit = view.mm_per_unit;
         box.include(InkBoxes(pictures[i].drawing).of_all());
     }

@@ -5,12 +5,9 @@
 
 namespace edaha {
 
-LeafLoader LeafShelf::loader() {
-    return [this](const std::string& name) { return leaf(name); };
-}
-
-BarkLoader LeafShelf::bark_loader() {
-    return [this](const std::string& name) { return bark(name); };
+DrawingLoader LeafShelf::loader() {
+    return {[this](const std::string& name) { return leaf(name); },
+            [this](const std::string& name) { return bark(name); }};
 }
 
 SourceText LeafShelf::source_of(const std::string& name) const {

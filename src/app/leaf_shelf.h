@@ -11,8 +11,8 @@
 
 namespace edaha {
 
-// Leaf drawings and bark tiles of a catalogue, each read once for any number of pictures and threads.
-// Errors of all calls: InputError and IoError, as for the drawing itself.
+// Leaf drawings and bark tiles of a catalogue, each read once for any number of pictures and
+// threads. Errors of all calls: InputError and IoError, as for the drawing itself.
 class LeafShelf {
   public:
     // The catalogue must live as long as this. Relative paths begin at `folder`.
@@ -27,8 +27,7 @@ class LeafShelf {
     const BarkImport& bark(const std::string& name);
 
     // For draw_picture; as long as this lives.
-    LeafLoader loader();
-    BarkLoader bark_loader();
+    DrawingLoader loader();
 
   private:
     const LeafImport& find(const std::string& name);

@@ -70,8 +70,8 @@ void add_energy_counts(Json& json, const TreeCounts& counts) {
 
 Json measurements(const Style& style, const Catalogue& catalogue, const SurfaceWatch& watch) {
     LeafShelf leaves(catalogue);
-    const LeafLoader load_leaf = leaves.loader();
-    const Picture picture = draw_picture(style, load_leaf, watch);
+    const DrawingLoader load = leaves.loader();
+    const Picture picture = draw_picture(style, load, watch);
     Style solid = style;
     solid.look.wood = Look::solid;
     const DrawingCounts counts = count(picture.drawing);
@@ -90,7 +90,7 @@ Json measurements(const Style& style, const Catalogue& catalogue, const SurfaceW
     json["bytes"] = svg.bytes;
     // Of areas that hide each other; a flat drawing has none.
     if (!makes_mesh(style))
-        json["overlap_ratio"] = rounded(overlap_ratio(draw_picture(solid, load_leaf).drawing));
+        json["overlap_ratio"] = rounded(overlap_ratio(draw_picture(solid, load).drawing));
     return json;
 }
 

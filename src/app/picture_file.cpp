@@ -68,8 +68,7 @@ Metadata metadata_of(const TreeStyle& tree, const WriteParams& params, LeafShelf
     for (const OrnamentParams* ornament : {&style.leaf, &style.blossom, &style.fruit}) {
         if (!ornament->shape.empty()) recipe.add(leaves.fingerprint(ornament->shape));
     }
-    if (!style.flatten.bark_tile.empty())
-        recipe.add(leaves.fingerprint(style.flatten.bark_tile));
+    if (!style.flatten.bark_tile.empty()) recipe.add(leaves.fingerprint(style.flatten.bark_tile));
     metadata.recipe = recipe.text();
     return metadata;
 }

@@ -31,15 +31,15 @@ void append(std::vector<Layer>& layers, std::vector<Layer>&& more) {
 
 class PictureMaker {
   public:
-    PictureMaker(const Style& style, const LeafLoader& load_leaf)
-        : style_(style), load_leaf_(load_leaf), random_(random_of(style)) {}
+    PictureMaker(const Style& style, const DrawingLoader& load)
+        : style_(style), load_(load), random_(random_of(style)) {}
 
     Picture run(const SurfaceWatch& watch) {
         picture_.drawing.swatches = swatches();
         if (has_model(style_.models, Model::energy)) {
             grow_by_energy();
         } else {
-            flatten_model(draw_model(style_, 0, watch));
+            flatten_model(draw_model(style_, make_model_mesh(style_, watch), 0, bark()));
         }
         picture_.drawing = on_page(std::move(picture_.drawing), style_.page, style_.palette);
         return std::move(picture_);
@@ -47,7 +47,7 @@ class PictureMaker {
 
     Picture run(ModelMesh mesh, FixedView& view) {
         picture_.drawing.swatches = swatches();
-        FlatModel model = draw_model(style_, std::move(mesh), 0);
+        FlatModel model = draw_model(style_, std::move(mesh), 0, bark());
         const bool grows = style_.look.ground == Ground::shadow;
         if (view.stand && !grows) model.stand = *view.stand;
         if (!view.stand) view = {model.flat.frame.mm_per_unit, model.stand};
@@ -64,7 +64,8 @@ class PictureMaker {
         Limbs limbs = make_limbs(skeleton, style_.energy, look);
         std::optional<FlatModel> base;
         if (makes_mesh(style_)) {
-            base = draw_model(style_, 2 * limbs.nodes.front().half_width);
+            base = draw_model(style_, make_model_mesh(style_), 2 * limbs.nodes.front().half_width,
+                              bark());
             limbs = moved_limbs(std::move(limbs), base->crown);
             count(*base);
         }
@@ -130,8 +131,16 @@ class PictureMaker {
         front.push_back(std::move(layers.front));
     }
 
+    BarkTile bark() {
+        if (style_.flatten.bark_tile.empty()) return {};
+        BarkImport import = load_.bark(style_.flatten.bark_tile);
+        std::vector<Problem>& warnings = picture_.warnings;
+        warnings.insert(warnings.end(), import.warnings.begin(), import.warnings.end());
+        return std::move(import.tile);
+    }
+
     LeafImport import_leaf(const std::string& name) {
-        LeafImport import = load_leaf_(name);
+        LeafImport import = load_.leaf(name);
         std::vector<Problem>& warnings = picture_.warnings;
         warnings.insert(warnings.end(), import.warnings.begin(), import.warnings.end());
         return import;
@@ -273,20 +282,20 @@ class PictureMaker {
     }
 
     const Style& style_;
-    const LeafLoader& load_leaf_;
+    const DrawingLoader& load_;
     KeyedRandom random_;
     Picture picture_;
 };
 
 }  // namespace
 
-Picture draw_picture(const Style& style, const LeafLoader& load_leaf, const SurfaceWatch& watch) {
-    return PictureMaker(style, load_leaf).run(watch);
+Picture draw_picture(const Style& style, const DrawingLoader& load, const SurfaceWatch& watch) {
+    return PictureMaker(style, load).run(watch);
 }
 
-Picture draw_model_picture(const Style& style, const LeafLoader& load_leaf, ModelMesh model,
+Picture draw_model_picture(const Style& style, const DrawingLoader& load, ModelMesh model,
                            FixedView& view) {
-    return PictureMaker(style, load_leaf).run(std::move(model), view);
+    return PictureMaker(style, load).run(std::move(model), view);
 }
 
 }  // namespace edaha

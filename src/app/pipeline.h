@@ -10,6 +10,7 @@
 #include "drawing/drawing.h"
 #include "energy/ground.h"
 #include "flatten/flatten.h"
+#include "ornament/bark_drawing.h"
 #include "ornament/leaf.h"
 #include "style/style.h"
 
@@ -34,17 +35,19 @@ struct TreeCounts {
 struct Picture {
     Drawing drawing;  // without metadata
     TreeCounts counts;
-    std::vector<Problem> warnings;  // of the leaf drawings
+    std::vector<Problem> warnings;  // of the leaf and bark drawings
     std::vector<StepReport> steps;  // of growing and flattening meshes
 };
 
-// Gives the drawing of a leaf by its name or path; throws InputError or IoError.
-using LeafLoader = std::function<LeafImport(const std::string& name)>;
+// Give the drawing of a leaf or a bark tile by its name or path; throw InputError or IoError.
+struct DrawingLoader {
+    std::function<LeafImport(const std::string& name)> leaf;
+    std::function<BarkImport(const std::string& name)> bark;
+};
 
 // The whole way from a style to its picture, in order.
 // `watch` is told of surface growth.
-Picture draw_picture(const Style& style, const LeafLoader& load_leaf,
-                     const SurfaceWatch& watch = {});
+Picture draw_picture(const Style& style, const DrawingLoader& load, const SurfaceWatch& watch = {});
 
 // What pictures of one growth share: each takes what is set, and sets the rest.
 struct FixedView {
@@ -53,7 +56,7 @@ struct FixedView {
 };
 
 // From a model that is there to its picture, on no page yet.
-Picture draw_model_picture(const Style& style, const LeafLoader& load_leaf, ModelMesh model,
+Picture draw_model_picture(const Style& style, const DrawingLoader& load, ModelMesh model,
                            FixedView& view);
 
 }  // namespace edaha

@@ -178,7 +178,8 @@ class CoverLayer {
             for (int i = 0; i < 2; ++i) {
                 const double phase = fraction(step(key, static_cast<Key>(2 * axis + i))) +
                                      waves[i][0] * turn + waves[i][1] * rise;
-                sum[axis] += stable::sin_cos(2 * std::numbers::pi * (phase - std::floor(phase))).sin;
+                sum[axis] +=
+                    stable::sin_cos(2 * std::numbers::pi * (phase - std::floor(phase))).sin;
             }
         }
         return place + kSway * sum * cover.tile;

@@ -149,7 +149,8 @@ class StrokeMaker {
         for (int round = 0; round < 2; ++round) {
             const std::vector<StrokePlace> old = places;
             for (std::size_t i = 0; i < places.size(); ++i) {
-                const std::size_t reach = std::min({i, places.size() - 1 - i, std::size_t{kSmoothing}});
+                const std::size_t reach =
+                    std::min({i, places.size() - 1 - i, std::size_t{kSmoothing}});
                 double demand = 0, width = 0;
                 for (std::size_t k = i - reach; k <= i + reach; ++k)
                     demand += old[k].demand, width += old[k].width;
@@ -230,10 +231,10 @@ std::vector<TileStroke> trace_tile(const Scene& scene, const BarkTile& tile,
     trace.covers = lay_bark(scene.mesh, scene.view, tile, units_per_mm * params.bark_scale,
                             units_per_mm * kThinnestTwig_mm);
     const std::vector<BarkWay> ways = cross_bark(scene, trace.covers, px_per_unit);
-    return gather_chunks<TileStroke>(
-        ways.size(), 64, [&](std::size_t i, std::vector<TileStroke>& found) {
-            StrokeMaker(trace, ways[i]).run(found);
-        });
+    return gather_chunks<TileStroke>(ways.size(), 64,
+                                     [&](std::size_t i, std::vector<TileStroke>& found) {
+                                         StrokeMaker(trace, ways[i]).run(found);
+                                     });
 }
 
 Layer draw_tile_bark(const std::vector<TileStroke>& strokes, const Mesh& mesh,

@@ -20,7 +20,7 @@ constexpr double kTolerance = 0.02;  // of polylines, in parts of a hundredth of
 constexpr double kStep = 1.0 / 40;   // of the tile: closer, and lines cost more but bend no better
 constexpr int kAcross = 24;          // places at which the width of a narrow shape is taken
 constexpr double kMiddleGrey = 0.5;
-constexpr double kCornerCos = 0.6;   // 53 degrees: tips of narrow shapes turn far more
+constexpr double kCornerCos = 0.6;  // 53 degrees: tips of narrow shapes turn far more
 constexpr std::size_t kMostEnds = 32;
 
 svg::Spot spot_of_root(const svg::SvgDocument& document) {
@@ -36,7 +36,8 @@ svg::ViewBox box_of_tile(const svg::SvgDocument& document, svg::Report& report) 
         svg::ViewBox box;
         for (const int axis : {0, 1}) {
             attribute = axis == 0 ? "width" : "height";
-            const svg::SvgLength length = svg::read_length(root.attribute(attribute).as_string("0"));
+            const svg::SvgLength length =
+                svg::read_length(root.attribute(attribute).as_string("0"));
             if (length.percent || !(length.value > 0))
                 report.fail(spot_of_root(document),
                             "a bark tile needs a size (expected viewBox=\"0 0 WIDTH HEIGHT\")");
@@ -177,8 +178,7 @@ class BarkReader {
         using Kind = svg::SvgInk::Kind;
         const double small = std::min(box_.size.x, box_.size.y);
         const bool filled = shape.style.fill.kind != Kind::none;
-        const bool stroked =
-            shape.style.stroke.kind != Kind::none && shape.style.stroke_width > 0;
+        const bool stroked = shape.style.stroke.kind != Kind::none && shape.style.stroke_width > 0;
         if (!filled && !stroked) return;
         for (const Line& sub : subpaths_of(shape.path, kTolerance * small / 100)) {
             BarkLine line;
