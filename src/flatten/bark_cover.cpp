@@ -2,9 +2,11 @@
 #include "flatten/bark_cover.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -33,10 +35,23 @@ double fraction(Key key) {
 // What of a part's places is known from its triangles.
 struct UvExtent {
     Vec2 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
-    Vec2 sums{0};  // lengths of a unit of u and of v, weighted with the area
-    double area = 0;
+    // Lengths of a unit of u and of v, by triangle, with its area.
+    std::array<std::vector<std::pair<double, double>>, 2> lengths;
     std::vector<double> jumps;  // of u, at seams
 };
+
+// The length that half of the area has or exceeds: a few triangles may be stretched without bounds.
+double middle_length(std::vector<std::pair<double, double>>& lengths) {
+    std::sort(lengths.begin(), lengths.end());
+    double all = 0, passed = 0;
+    for (const auto& [length, area] : lengths)
+        all += area;
+    for (const auto& [length, area] : lengths) {
+        passed += area;
+        if (2 * passed >= all) return length;
+    }
+    return 0;
+}
 
 class CoverLayer {
   public:
@@ -77,9 +92,8 @@ class CoverLayer {
         const Vec3 p = mesh_.points[corners[1]] - mesh_.points[corners[0]];
         const Vec3 q = mesh_.points[corners[2]] - mesh_.points[corners[0]];
         const double area = glm::length(glm::cross(p, q));
-        extent.sums += area * Vec2(glm::length((p * b.y - q * a.y) / det),
-                                   glm::length((q * a.x - p * b.x) / det));
-        extent.area += area;
+        extent.lengths[0].emplace_back(glm::length((p * b.y - q * a.y) / det), area);
+        extent.lengths[1].emplace_back(glm::length((q * a.x - p * b.x) / det), area);
         if (view_.front[t] == 0) return;
         for (const Vec2 place : uv) {
             extent.low = glm::min(extent.low, place);
@@ -108,8 +122,9 @@ class CoverLayer {
     PartCover cover(std::size_t part) {
         PartCover cover;
         UvExtent& extent = extents_[part];
-        if (!has_bark(part) || !(extent.area > 0) || !(extent.low.x <= extent.high.x)) return cover;
-        cover.size = extent.sums / extent.area;
+        if (!has_bark(part) || !(extent.low.x <= extent.high.x)) return cover;
+        cover.size = {middle_length(extent.lengths[0]), middle_length(extent.lengths[1])};
+        if (!(cover.size.x > 0) || !(cover.size.y > 0)) return cover;
         if (!extent.jumps.empty()) {
             const auto middle =
                 extent.jumps.begin() + static_cast<std::ptrdiff_t>(extent.jumps.size() / 2);
@@ -118,7 +133,7 @@ class CoverLayer {
         }
         const Vec2 range = extent.high - extent.low;
         const double width = (cover.around > 0 ? cover.around / std::numbers::pi : range.x);
-        if (!(width * cover.size.x > thinnest_) || !(cover.size.y > 0)) return cover;
+        if (!(width * cover.size.x > thinnest_)) return cover;
         choose_tile(cover, range);
         lay(cover, extent, name_key(mesh_.parts[part].name));
         return cover;

@@ -136,6 +136,8 @@ class BarkTriangle {
         det_ = cross_of(a_, b_);
         const Vec2 p = Vec2(at_[1] - at_[0]), q = Vec2(at_[2] - at_[0]);
         if (!is_proper()) return;
+        const double flat = glm::length(glm::cross(at_[1] - at_[0], at_[2] - at_[0]));
+        facing_ = flat > 0 ? std::abs(cross_of(p, q)) / flat : 0;
         const double scale = 1 / (px_per_unit * kStepsPerPx * det_);
         along_u_ = (p * b_.y - q * a_.y) * (scale / cover.size.x);
         along_v_ = (q * a_.x - p * b_.x) * (scale / cover.size.y);
@@ -167,7 +169,7 @@ class BarkTriangle {
         const Vec2 real = way * cover_.size;
         const double seen = glm::length(along_u_ * real.x + along_v_ * real.y);
         piece.room = static_cast<float>(seen > 0 ? area_ * glm::length(real) / seen : 0);
-        piece.facing = static_cast<float>(area_);
+        piece.facing = static_cast<float>(facing_);
         return true;
     }
 
@@ -190,7 +192,7 @@ class BarkTriangle {
     const PartCover& cover_;
     std::array<Vec3, 3> at_;
     Vec2 a_{0}, b_{0}, along_u_{0}, along_v_{0};
-    double det_ = 0, area_ = 0;
+    double det_ = 0, area_ = 0, facing_ = 0;
 };
 
 bool joins(const BarkPiece& before, const BarkPiece& after) {
