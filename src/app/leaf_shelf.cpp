@@ -14,7 +14,7 @@ SourceText LeafShelf::source_of(const std::string& name) const {
     return catalogue_.find_leaf(resolve_leaf(name, folder_));
 }
 
-const LeafImport& LeafShelf::find(const std::string& name) {
+const LeafImport& LeafShelf::leaf(const std::string& name) {
     const std::scoped_lock lock(mutex_);
     const auto known = leaves_.find(name);
     if (known != leaves_.end()) return known->second;

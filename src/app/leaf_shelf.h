@@ -21,16 +21,14 @@ class LeafShelf {
     LeafShelf(const LeafShelf&) = delete;
     LeafShelf& operator=(const LeafShelf&) = delete;
 
-    const LeafImport& leaf(const std::string& name) { return find(name); }
-    std::string fingerprint(const std::string& name);  // of its text
-
+    const LeafImport& leaf(const std::string& name);
     const BarkImport& bark(const std::string& name);
+    std::string fingerprint(const std::string& name);  // of its text
 
     // For draw_picture; as long as this lives.
     DrawingLoader loader();
 
   private:
-    const LeafImport& find(const std::string& name);
     SourceText source_of(const std::string& name) const;
 
     const Catalogue& catalogue_;

@@ -114,7 +114,9 @@ class CoverLayer {
         const Vec2 a = place_at(edge.left, edge.a) - place_at(edge.right, edge.a);
         const Vec2 b = place_at(edge.left, edge.b) - place_at(edge.right, edge.b);
         const double jump = std::abs(a.x);
-        if (!(jump > 0) || !(glm::length(a - b) < 1e-3 * jump) || !(std::abs(a.y) < 1e-3 * jump))
+        const double along =
+            glm::distance(place_at(edge.left, edge.a), place_at(edge.left, edge.b));
+        if (!(jump > 1e-3 * along) || !(glm::length(a - b) < 1e-3 * jump) || !(std::abs(a.y) < 1e-3 * jump))
             return;
         extents_[mesh_.part_of[edge.left]].jumps.push_back(jump);
     }
