@@ -138,6 +138,21 @@ Corners moved_corners(const GrowingMesh& mesh, std::uint32_t f, std::span<const 
     return corners;
 }
 
+void sort_once(std::vector<std::uint32_t>& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+std::vector<std::uint32_t> faces_round(const GrowingMesh& mesh,
+                                       std::vector<std::uint32_t> vertices) {
+    sort_once(vertices);
+    std::vector<std::uint32_t> faces;
+    for (const std::uint32_t v : vertices)
+        mesh.for_each_out(v, [&](std::uint32_t h) { faces.push_back(h / 3); });
+    sort_once(faces);
+    return faces;
+}
+
 std::vector<std::uint32_t> watched_faces(const GrowingMesh& mesh, std::span<const Vec3> of_faces,
                                          std::span<const FacingPair> pairs,
                                          std::span<const std::uint32_t> suspects) {
@@ -163,14 +178,7 @@ std::vector<std::uint32_t> watched_faces(const GrowingMesh& mesh, std::span<cons
         for (std::uint32_t k = 0; k < 3; ++k)
             middles.push_back(mesh.origin[3 * pair.face + k]);
     }
-    std::sort(middles.begin(), middles.end());
-    middles.erase(std::unique(middles.begin(), middles.end()), middles.end());
-    std::vector<std::uint32_t> faces;
-    for (const std::uint32_t v : middles)
-        mesh.for_each_out(v, [&](std::uint32_t h) { faces.push_back(h / 3); });
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    return faces;
+    return faces_round(mesh, std::move(middles));
 }
 
 // Corners of two faces that pass through each other once they have moved.
@@ -188,19 +196,32 @@ bool overlap(const Corners& a, const Corners& b) {
     return true;
 }
 
-// Where a face was when the grid was made, it has left by a whole step's move and this one at most.
-std::vector<Passing> passing(const GrowingMesh& mesh, const Facing& facing,
-                             std::span<const Vec3> moves) {
+// The boxes of all that faces pass on their way, whether they go it whole, in part, not at all or
+// draw back.
+std::vector<FaceBox> boxes_of_ways(const GrowingMesh& mesh, std::span<const Vec3> moves,
+                                   double retreat_mm) {
+    std::vector<FaceBox> boxes(mesh.origin.size() / 3);
+    for_each_index(boxes.size(), kWorthThreads, [&](std::size_t i) {
+        const auto f = static_cast<std::uint32_t>(i);
+        if (!mesh.is_face(f)) return;
+        const Corners here = corners_of(mesh, f), there = moved_corners(mesh, f, moves);
+        Vec3 low = here[0], high = here[0];
+        for (std::size_t k = 0; k < 3; ++k) {
+            low = glm::min(low, glm::min(here[k], there[k]));
+            high = glm::max(high, glm::max(here[k], there[k]));
+        }
+        boxes[i] = box_round(low - retreat_mm, high + retreat_mm);
+    });
+    return boxes;
+}
+
+// `grid` is of boxes_of_ways().
+std::vector<Passing> passing(const GrowingMesh& mesh, std::span<const std::uint32_t> watched,
+                             const FaceGrid& grid, std::span<const Vec3> moves) {
     constexpr std::size_t kChunk = 64;  // faces look at dozens of others each
-    double fastest2 = 0;
-    for (const Vec3& move : moves)
-        fastest2 = std::max(fastest2, glm::dot(move, move));
-    const Vec3 most(facing.fastest_mm + std::sqrt(fastest2));
     const auto look = [&](std::uint32_t f, std::vector<Passing>& found) {
         const Corners moved = moved_corners(mesh, f, moves);
-        const FaceBox box = box_round(glm::min(glm::min(moved[0], moved[1]), moved[2]) - most,
-                                      glm::max(glm::max(moved[0], moved[1]), moved[2]) + most);
-        facing.grid->visit(box, [&](std::uint32_t g) {
+        grid.visit(box_round(moved[0], moved[1], moved[2]), [&](std::uint32_t g) {
             if (g == f) return;
             const Corners other = moved_corners(mesh, g, moves);
             if (!overlap(moved, other) || !triangles_cross(moved, other)) return;
@@ -213,11 +234,11 @@ std::vector<Passing> passing(const GrowingMesh& mesh, const Facing& facing,
             found.push_back(pair);
         });
     };
-    const std::size_t count = facing.watched.size();
+    const std::size_t count = watched.size();
     return gather_chunks<Passing>(
         (count + kChunk - 1) / kChunk, 4, [&](std::size_t i, std::vector<Passing>& found) {
             for (std::size_t k = i * kChunk; k < std::min(count, (i + 1) * kChunk); ++k)
-                look(facing.watched[k], found);
+                look(watched[k], found);
         });
 }
 
@@ -273,15 +294,12 @@ bool within_two_rings(const GrowingMesh& mesh, std::uint32_t from, std::uint32_t
 Facing facing_pairs(const GrowingMesh& mesh, std::span<const Vec3> of_faces,
                     std::span<const Vec3> normals, std::span<const Vec3> moves,
                     const FacingParams& params) {
-    Facing facing{{}, {}, FaceGrid(mesh, params.cell_mm), 0};
+    Facing facing{{}, {}, FaceGrid(mesh, params.cell_mm)};
     const Lookout lookout(mesh, of_faces, normals, moves, params, *facing.grid);
     facing.pairs = gather<FacingPair>(mesh.position.size(), [&](std::size_t v, auto& found) {
         lookout.look(static_cast<std::uint32_t>(v), found);
     });
     facing.watched = watched_faces(mesh, of_faces, facing.pairs, params.suspects);
-    for (const Vec3& move : moves)
-        facing.fastest_mm = std::max(facing.fastest_mm, glm::dot(move, move));
-    facing.fastest_mm = std::sqrt(facing.fastest_mm);
     return facing;
 }
 
@@ -289,19 +307,21 @@ std::vector<std::uint32_t> keep_apart(const GrowingMesh& mesh, const Facing& fac
                                       std::span<const Vec3> normals, const ApartParams& params,
                                       std::vector<Vec3>& moves) {
     shorten_approaches(mesh, facing.pairs, params.least_mm, moves);
-    std::vector<std::uint32_t> back;
-    for (int round = 0; round < kRounds; ++round) {
-        bool begin = false;
-        for (const Passing& pair : passing(mesh, facing, moves)) {
-            begin = begin || !pair.already;
+    const FaceGrid grid(boxes_of_ways(mesh, moves, params.retreat_mm), params.cell_mm);
+    std::vector<std::uint32_t> back, watched = facing.watched;
+    for (int round = 0; round < kRounds && !watched.empty(); ++round) {
+        std::vector<std::uint32_t> changed;
+        for (const Passing& pair : passing(mesh, watched, grid, moves)) {
             if (pair.already) back.insert(back.end(), pair.corners.begin(), pair.corners.end());
-            for (const std::uint32_t v : pair.corners)
-                moves[v] = pair.already ? -params.retreat_mm * normals[v] : Vec3(0);
+            for (const std::uint32_t v : pair.corners) {
+                const Vec3 move = pair.already ? -params.retreat_mm * normals[v] : Vec3(0);
+                if (move != moves[v]) changed.push_back(v);
+                moves[v] = move;
+            }
         }
-        if (!begin) break;
+        watched = faces_round(mesh, std::move(changed));  // all others move as they did
     }
-    std::sort(back.begin(), back.end());
-    back.erase(std::unique(back.begin(), back.end()), back.end());
+    sort_once(back);
     return back;
 }
 

@@ -35,7 +35,6 @@ struct Facing {
     // others.
     std::vector<std::uint32_t> watched;
     std::optional<FaceGrid> grid;  // of the mesh as it was
-    double fastest_mm = 0;         // of all moves
 };
 
 // Parallel; O(faces).
@@ -45,14 +44,14 @@ Facing facing_pairs(const GrowingMesh& mesh, std::span<const Vec3> of_faces,
 
 struct ApartParams {
     double least_mm = 17;   // of pairs
+    double cell_mm = 150;   // about as long as edges
     double retreat_mm = 2;  // of faces that pass through each other
 };
 
 // Shortens moves, or parts of them, so that no pair comes nearer than `least_mm`, and that no
 // watched face begins to pass through any other; those that do so already draw back against their
-// normals [E]. The mesh hangs together as it did when the pairs were found, and has moved since by
-// no more than those moves. Returns the vertices that drew back: suspects of the next step.
-// O(vertices + pairs + watched faces).
+// normals [E]. The mesh hangs together as it did when the pairs were found. Returns the vertices
+// that drew back: suspects of the next step. O(faces + pairs).
 std::vector<std::uint32_t> keep_apart(const GrowingMesh& mesh, const Facing& facing,
                                       std::span<const Vec3> normals, const ApartParams& params,
                                       std::vector<Vec3>& moves);

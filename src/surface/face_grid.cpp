@@ -15,6 +15,17 @@ constexpr std::size_t kWorthThreads = 5000;
 constexpr double kWider_mm = 1e-3;
 constexpr double kWider = 2e-7;
 
+std::vector<FaceBox> boxes_of(const GrowingMesh& mesh) {
+    std::vector<FaceBox> boxes(mesh.origin.size() / 3);
+    for_each_index(boxes.size(), kWorthThreads, [&](std::size_t f) {
+        if (mesh.origin[3 * f] == kNone) return;
+        boxes[f] =
+            box_round(mesh.position[mesh.origin[3 * f]], mesh.position[mesh.origin[3 * f + 1]],
+                      mesh.position[mesh.origin[3 * f + 2]]);
+    });
+    return boxes;
+}
+
 }  // namespace
 
 FaceBox box_round(const Vec3& low, const Vec3& high) {
@@ -46,24 +57,20 @@ void FaceGrid::visit_buckets(const FaceBox& box, const Visit& visit) const {
     });
 }
 
+FaceGrid::FaceGrid(const GrowingMesh& mesh, double cell_mm) : FaceGrid(boxes_of(mesh), cell_mm) {}
+
 // By counting: how many a bucket has, where they begin, and then each into its place.
-FaceGrid::FaceGrid(const GrowingMesh& mesh, double cell_mm)
-    : per_mm_(static_cast<float>(1 / cell_mm)), boxes_(mesh.origin.size() / 3) {
-    for_each_index(boxes_.size(), kWorthThreads, [&](std::size_t f) {
-        if (mesh.origin[3 * f] == kNone) return;
-        boxes_[f] =
-            box_round(mesh.position[mesh.origin[3 * f]], mesh.position[mesh.origin[3 * f + 1]],
-                      mesh.position[mesh.origin[3 * f + 2]]);
-    });
+FaceGrid::FaceGrid(std::span<const FaceBox> boxes, double cell_mm)
+    : per_mm_(static_cast<float>(1 / cell_mm)) {
     std::uint32_t buckets = 16;
-    while (buckets < boxes_.size())
+    while (buckets < boxes.size())
         buckets *= 2;
     mask_ = buckets - 1;
     start_.assign(buckets + 1, 0);
     const auto visit_all = [&](const auto& put) {
-        for (std::uint32_t f = 0; f < boxes_.size(); ++f) {
-            if (mesh.origin[3 * f] == kNone) continue;
-            visit_buckets(boxes_[f], [&](std::uint32_t bucket) { put(bucket, f); });
+        for (std::uint32_t f = 0; f < boxes.size(); ++f) {
+            if (boxes[f].empty()) continue;
+            visit_buckets(boxes[f], [&](std::uint32_t bucket) { put(bucket, f); });
         }
     };
     visit_all([&](std::uint32_t bucket, std::uint32_t) { ++start_[bucket]; });
@@ -71,7 +78,11 @@ FaceGrid::FaceGrid(const GrowingMesh& mesh, double cell_mm)
     for (std::uint32_t& at : start_)
         at = sum += at;
     faces_.resize(sum);
-    visit_all([&](std::uint32_t bucket, std::uint32_t f) { faces_[--start_[bucket]] = f; });
+    boxes_.resize(sum);
+    visit_all([&](std::uint32_t bucket, std::uint32_t f) {
+        faces_[--start_[bucket]] = f;
+        boxes_[start_[bucket]] = boxes[f];
+    });
 }
 
 }  // namespace edaha

@@ -14,7 +14,9 @@ namespace edaha {
 
 // Round a face, in single precision and a little wider than it.
 struct FaceBox {
-    std::array<float, 3> low{}, high{};
+    std::array<float, 3> low{1, 1, 1}, high{-1, -1, -1};  // empty
+
+    bool empty() const { return low[0] > high[0]; }
 
     bool meets(const FaceBox& other) const {
         bool meets = true;
@@ -33,6 +35,8 @@ FaceBox box_round(const Vec3& a, const Vec3& b, const Vec3& c);
 class FaceGrid {
   public:
     FaceGrid(const GrowingMesh& mesh, double cell_mm);
+    // Of boxes that faces take up on their way, one a face; empty ones are in no cell.
+    FaceGrid(std::span<const FaceBox> boxes, double cell_mm);
 
     // Calls visit(face) for each face whose box meets this one, in an order that depends on the
     // mesh alone; those in several cells several times.
@@ -82,9 +86,9 @@ class FaceGrid {
 
     float per_mm_;
     std::uint32_t mask_ = 0;
-    std::vector<FaceBox> boxes_;        // a face
     std::vector<std::uint32_t> start_;  // a bucket: where its faces begin
     std::vector<std::uint32_t> faces_;
+    std::vector<FaceBox> boxes_;  // theirs, in the same order
 };
 
 template <typename Wants, typename Visit>
@@ -93,16 +97,16 @@ void FaceGrid::visit_of(const FaceBox& box, const Wants& wants, const Visit& vis
         const std::uint32_t bucket = bucket_of(cell);
         if (!wants(bucket)) return;
         for (std::uint32_t i = start_[bucket]; i < start_[bucket + 1]; ++i)
-            if (boxes_[faces_[i]].meets(box)) visit(faces_[i]);
+            if (boxes_[i].meets(box)) visit(faces_[i]);
     });
 }
 
 template <typename Visit>
 void FaceGrid::visit_pairs(std::size_t bucket, const Visit& visit) const {
     for (std::uint32_t i = start_[bucket]; i < start_[bucket + 1]; ++i) {
-        const FaceBox& one = boxes_[faces_[i]];
+        const FaceBox& one = boxes_[i];
         for (std::uint32_t j = i + 1; j < start_[bucket + 1]; ++j) {
-            const FaceBox& other = boxes_[faces_[j]];
+            const FaceBox& other = boxes_[j];
             if (!one.meets(other)) continue;
             // Both are in the cell of the lowest corner of what they have in common.
             std::array<float, 3> corner{};

@@ -109,8 +109,9 @@ void SurfaceGrowth::fuse() {
 }
 
 void SurfaceGrowth::stay_apart(std::vector<Vec3>& moves) {
-    suspects_ = keep_apart(mesh_, facing_, normals_,
-                           {kApart * params_.merge_mm, kRetreat * params_.merge_mm}, moves);
+    suspects_ = keep_apart(
+        mesh_, facing_, normals_,
+        {kApart * params_.merge_mm, 2 * params_.split_mm, kRetreat * params_.merge_mm}, moves);
 }
 
 // In as many equal parts as the fastest vertex needs to go T_m / 2 at most in each, so that no

@@ -69,7 +69,7 @@ TEST(FacingPairs, AreNotOfXylemNorOfOneBlock) {
 TEST(KeepApart, LeavesTheLeastDistance) {
     Scene scene(two_blocks(1), 70);
     const Facing facing = scene.facing(35);
-    keep_apart(scene.mesh, facing, scene.normals, {20, 2}, scene.moves);
+    keep_apart(scene.mesh, facing, scene.normals, {20, 150, 2}, scene.moves);
     double low = 0, high = 1e9;
     for (std::uint32_t v = 0; v < scene.mesh.position.size(); ++v) {
         const double before = scene.mesh.position[v].y, after = before + scene.moves[v].y;
@@ -94,7 +94,7 @@ TEST(KeepApart, LetsNoWatchedFacePassThroughAnother) {
     GrowingMesh moved = scene.mesh;
     moved.position[v] += scene.moves[v];
     EXPECT_FALSE(crossing_faces(moved).empty());
-    keep_apart(scene.mesh, facing, scene.normals, {1, 2}, scene.moves);
+    keep_apart(scene.mesh, facing, scene.normals, {1, 150, 2}, scene.moves);
     moved.position[v] = scene.mesh.position[v] + scene.moves[v];
     EXPECT_TRUE(crossing_faces(moved).empty());
 }

@@ -47,7 +47,7 @@ Fusions grow_cambium(GrowingMesh& mesh, int steps) {
             facing = facing_pairs(mesh, of_faces, normals, moves, {35, 150, suspects});
         mesh.last = mesh.position;
         limit_moves(mesh, of_faces, moves);
-        suspects = keep_apart(mesh, facing, normals, {17.5, 3.5}, moves);
+        suspects = keep_apart(mesh, facing, normals, {17.5, 150, 3.5}, moves);
         for (std::size_t v = 0; v < moves.size(); ++v)
             mesh.position[v] += moves[v];
         remesh(mesh, apices, {150, 70, 0, true, {}});
