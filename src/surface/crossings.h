@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "surface/face_grid.h"
 #include "surface/growing_mesh.h"
 
 namespace edaha {
@@ -18,6 +19,11 @@ bool triangles_cross(const Corners& s, const Corners& t);
 // The pairs of faces that pass through each other, each once, sorted. Of two with a common point
 // only what they have in common besides it counts. Parallel; about O(faces).
 std::vector<std::array<std::uint32_t, 2>> crossing_faces(const GrowingMesh& mesh);
+
+// Whether a triangle passes through any face of the mesh but those with the corners a or b. Faces
+// may have moved by `moved_mm` since the grid was made, and others may be in their places.
+bool crosses_any(const GrowingMesh& mesh, const FaceGrid& grid, const Corners& triangle,
+                 std::uint32_t a, std::uint32_t b, double moved_mm = 0);
 
 Corners corners_of(const GrowingMesh& mesh, std::uint32_t f);
 

@@ -182,19 +182,6 @@ bool is_smooth_tube(const std::vector<Corners>& faces, const Vec3& middle) {
     return volume > 0;
 }
 
-// Whether a face passes through one that stays: all but those round a and b.
-bool passes_through(const GrowingMesh& mesh, const FaceGrid& grid, const Corners& face,
-                    std::uint32_t a, std::uint32_t b) {
-    bool passes = false;
-    grid.visit(box_round(face[0], face[1], face[2]), [&](std::uint32_t f) {
-        if (passes || !mesh.is_face(f)) return;
-        for (std::uint32_t k = 0; k < 3; ++k)
-            if (mesh.origin[3 * f + k] == a || mesh.origin[3 * f + k] == b) return;
-        passes = triangles_cross(face, corners_of(mesh, f));
-    });
-    return passes;
-}
-
 bool stands_well(const GrowingMesh& mesh, const std::vector<TubeFace>& tube, const Vec3& middle,
                  std::uint32_t a, std::uint32_t b, const SewLimits& limits) {
     std::vector<Corners> faces;
@@ -205,7 +192,7 @@ bool stands_well(const GrowingMesh& mesh, const std::vector<TubeFace>& tube, con
     for (std::size_t i = 0; i < faces.size(); ++i) {
         const Corners& face = faces[i];
         if (limits.is_barred && limits.is_barred(face[0], face[1], face[2])) return false;
-        if (limits.grid && passes_through(mesh, *limits.grid, face, a, b)) return false;
+        if (limits.grid && crosses_any(mesh, *limits.grid, face, a, b)) return false;
         for (std::size_t j = i + 1; j < faces.size(); ++j)
             if (triangles_cross(face, faces[j])) return false;
     }

@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "base/stable_math.h"
+#include "surface/crossings.h"
 
 namespace edaha {
 namespace {
@@ -174,6 +175,10 @@ class Remesher {
         return true;
     }
 
+    bool crosses(const Corners& face, std::uint32_t a, std::uint32_t b) const {
+        return params_.grid && crosses_any(mesh_, *params_.grid, face, a, b, params_.merge_mm);
+    }
+
     // Whether all faces round v but those with `other` stay what they are if v moves.
     bool keeps_faces(std::uint32_t v, std::uint32_t other, const Vec3& place) const {
         const double most = 4 * params_.split_mm * params_.split_mm;
@@ -186,7 +191,9 @@ class Remesher {
             const double product = glm::dot(before, after);
             const double lengths = std::sqrt(length2(before) * length2(after));
             keeps = product > kLeastTurn * lengths && length2(place - at(b)) < most &&
-                    !(params_.is_barred && params_.is_barred(place, at(b), at(c)));
+                    !(params_.is_barred && params_.is_barred(place, at(b), at(c))) &&
+                    (!crosses({place, at(b), at(c)}, v, other) ||
+                     crosses({at(v), at(b), at(c)}, v, other));
         });
         return keeps;
     }
@@ -285,13 +292,18 @@ class Remesher {
                glm::dot(other, up) > least * glm::length(other);
     }
 
+    // Whether one of the faces that the edge would have after its flip may not lie there.
     bool is_barred(std::uint32_t h) const {
-        if (!params_.is_barred) return false;
+        if (!params_.is_barred && !params_.grid) return false;
         const std::uint32_t t = mesh_.twin[h];
         const Vec3 &a = at(mesh_.origin[h]), &b = at(mesh_.origin[t]);
         const Vec3& c = at(mesh_.origin[GrowingMesh::previous(h)]);
         const Vec3& d = at(mesh_.origin[GrowingMesh::previous(t)]);
-        return params_.is_barred(a, d, c) || params_.is_barred(d, b, c);
+        if (params_.is_barred && (params_.is_barred(a, d, c) || params_.is_barred(d, b, c)))
+            return true;
+        const std::uint32_t from = mesh_.origin[h], to = mesh_.origin[t];
+        return (crosses({a, d, c}, from, to) || crosses({d, b, c}, from, to)) &&
+               !crosses({a, b, c}, from, to) && !crosses({b, a, d}, from, to);
     }
 
     void flip_all() {

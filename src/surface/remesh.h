@@ -4,6 +4,7 @@
 #include <span>
 
 #include "surface/apex.h"
+#include "surface/face_grid.h"
 #include "surface/growing_mesh.h"
 
 namespace edaha {
@@ -15,6 +16,9 @@ struct RemeshParams {
     bool flips = true;
     // Whether a face may not lie there: flips and collapses that would make one are left out.
     std::function<bool(const Vec3&, const Vec3&, const Vec3&)> is_barred = {};
+    // Of the mesh as it is: flips and collapses after which a face passes through another one are
+    // left out.
+    const FaceGrid* grid = nullptr;
     bool only_shrinking = true;  // eq. 2; without it tips are eaten
 };
 
