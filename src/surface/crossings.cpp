@@ -84,20 +84,6 @@ Corners corners_of(const GrowingMesh& mesh, std::uint32_t f) {
             mesh.position[mesh.origin[3 * f + 2]]};
 }
 
-bool crosses_any(const GrowingMesh& mesh, const FaceGrid& grid, const Corners& triangle,
-                 std::uint32_t a, std::uint32_t b, double moved_mm) {
-    bool crosses = false;
-    const Vec3 low = glm::min(glm::min(triangle[0], triangle[1]), triangle[2]);
-    const Vec3 high = glm::max(glm::max(triangle[0], triangle[1]), triangle[2]);
-    grid.visit(box_round(low - moved_mm, high + moved_mm), [&](std::uint32_t f) {
-        if (crosses || !mesh.is_face(f)) return;
-        for (std::uint32_t k = 0; k < 3; ++k)
-            if (mesh.origin[3 * f + k] == a || mesh.origin[3 * f + k] == b) return;
-        crosses = triangles_cross(triangle, corners_of(mesh, f));
-    });
-    return crosses;
-}
-
 std::vector<std::array<std::uint32_t, 2>> crossing_faces(const GrowingMesh& mesh) {
     using Pair = std::array<std::uint32_t, 2>;
     const double extent = mean_extent(mesh);

@@ -2,7 +2,10 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
+
+#include <glm/common.hpp>
 
 #include "surface/face_grid.h"
 #include "surface/growing_mesh.h"
@@ -20,11 +23,23 @@ bool triangles_cross(const Corners& s, const Corners& t);
 // only what they have in common besides it counts. Parallel; about O(faces).
 std::vector<std::array<std::uint32_t, 2>> crossing_faces(const GrowingMesh& mesh);
 
-// Whether a triangle passes through any face of the mesh but those with the corners a or b. Faces
-// may have moved by `moved_mm` since the grid was made, and others may be in their places.
-bool crosses_any(const GrowingMesh& mesh, const FaceGrid& grid, const Corners& triangle,
-                 std::uint32_t a, std::uint32_t b, double moved_mm = 0);
-
 Corners corners_of(const GrowingMesh& mesh, std::uint32_t f);
+
+// Whether a triangle passes through any face, where corners(f) gives a face's place, or nothing if
+// it does not count. Since the grid was made faces may have moved by `moved_mm`, and others may be
+// in their places.
+template <typename CornersOf>
+bool crosses_any(const FaceGrid& grid, const Corners& triangle, double moved_mm,
+                 const CornersOf& corners) {
+    bool crosses = false;
+    const Vec3 low = glm::min(glm::min(triangle[0], triangle[1]), triangle[2]);
+    const Vec3 high = glm::max(glm::max(triangle[0], triangle[1]), triangle[2]);
+    grid.visit(box_round(low - moved_mm, high + moved_mm), [&](std::uint32_t f) {
+        if (crosses) return;
+        const std::optional<Corners> other = corners(f);
+        crosses = other && triangles_cross(triangle, *other);
+    });
+    return crosses;
+}
 
 }  // namespace edaha

@@ -182,6 +182,15 @@ bool is_smooth_tube(const std::vector<Corners>& faces, const Vec3& middle) {
     return volume > 0;
 }
 
+// Whether a face passes through one that stays: all but those round a and b.
+bool passes_through(const GrowingMesh& mesh, const FaceGrid& grid, const Corners& face,
+                    std::uint32_t a, std::uint32_t b) {
+    return crosses_any(grid, face, 0, [&](std::uint32_t f) -> std::optional<Corners> {
+        if (!mesh.is_face(f) || mesh.has_corner(f, a) || mesh.has_corner(f, b)) return {};
+        return corners_of(mesh, f);
+    });
+}
+
 bool stands_well(const GrowingMesh& mesh, const std::vector<TubeFace>& tube, const Vec3& middle,
                  std::uint32_t a, std::uint32_t b, const SewLimits& limits) {
     std::vector<Corners> faces;
@@ -192,7 +201,7 @@ bool stands_well(const GrowingMesh& mesh, const std::vector<TubeFace>& tube, con
     for (std::size_t i = 0; i < faces.size(); ++i) {
         const Corners& face = faces[i];
         if (limits.is_barred && limits.is_barred(face[0], face[1], face[2])) return false;
-        if (limits.grid && crosses_any(mesh, *limits.grid, face, a, b)) return false;
+        if (limits.grid && passes_through(mesh, *limits.grid, face, a, b)) return false;
         for (std::size_t j = i + 1; j < faces.size(); ++j)
             if (triangles_cross(face, faces[j])) return false;
     }

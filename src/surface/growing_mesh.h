@@ -40,6 +40,9 @@ struct GrowingMesh {
     std::uint32_t target(std::uint32_t h) const { return origin[next(h)]; }
     bool is_vertex(std::uint32_t v) const { return out[v] != kNone; }
     bool is_face(std::uint32_t f) const { return origin[3 * f] != kNone; }
+    bool has_corner(std::uint32_t f, std::uint32_t v) const {
+        return origin[3 * f] == v || origin[3 * f + 1] == v || origin[3 * f + 2] == v;
+    }
 
     std::size_t vertices() const { return position.size() - free_vertices.size(); }
     std::size_t faces() const { return origin.size() / 3 - free_faces.size(); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -43,14 +44,18 @@ class Remesher {
         : mesh_(mesh), apices_(apices), params_(params) {}
 
     void run() {
+        if (params_.winding_rad != 0) look_round();
         for (int round = 0; round < kMostRounds && split_long(); ++round) {
         }
+        look_round();
         merge_short();
         close_folds();
         if (params_.flips) flip_all();
     }
 
   private:
+    void look_round() { grid_.emplace(mesh_, 2 * params_.split_mm); }
+
     const Vec3& at(std::uint32_t v) const { return mesh_.position[v]; }
     double edge_length2(std::uint32_t h) const {
         return length2(at(mesh_.origin[h]) - at(mesh_.target(h)));
@@ -128,7 +133,18 @@ class Remesher {
         const Vec3 axis = tip.state.frame[0];
         const Vec3 off = at(m) - at(apex);
         const Vec3 along = axis * glm::dot(off, axis), out = off - along;
+        const Vec3 straight = mesh_.position[m];
         mesh_.position[m] = at(apex) + along + out * cosine + glm::cross(axis, out) * sine;
+        if (crosses_round(m)) mesh_.position[m] = straight;
+    }
+
+    bool crosses_round(std::uint32_t v) const {
+        bool crosses_one = false;
+        mesh_.for_each_out(v, [&](std::uint32_t h) {
+            crosses_one = crosses_one || crosses(corners_of(mesh_, h / 3),
+                                                 [&](std::uint32_t f) { return place_of(f); });
+        });
+        return crosses_one;
     }
 
     // Eq. 2: only what has become shorter.
@@ -175,8 +191,35 @@ class Remesher {
         return true;
     }
 
-    bool crosses(const Corners& face, std::uint32_t a, std::uint32_t b) const {
-        return params_.grid && crosses_any(mesh_, *params_.grid, face, a, b, params_.merge_mm);
+    std::optional<Corners> place_of(std::uint32_t f) const {
+        if (!mesh_.is_face(f)) return {};
+        return corners_of(mesh_, f);
+    }
+
+    template <typename CornersOf>
+    bool crosses(const Corners& face, const CornersOf& corners) const {
+        return crosses_any(*grid_, face, params_.merge_mm, corners);
+    }
+
+    // Whether a face round v passes through another one once v and `other` are one at `place`, and
+    // did not before.
+    bool merges_into(const Corners& before, const Corners& after, std::uint32_t v,
+                     std::uint32_t other, const Vec3& place) const {
+        const auto merged = [&](std::uint32_t f) {
+            std::optional<Corners> corners = place_of(f);
+            if (!corners) return corners;
+            int moved = 0;
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const std::uint32_t corner = mesh_.origin[3 * f + k];
+                if (corner != v && corner != other) continue;
+                (*corners)[k] = place;
+                ++moved;
+            }
+            if (moved > 1) corners.reset();  // it goes
+            return corners;
+        };
+        const auto old = [&](std::uint32_t f) { return place_of(f); };
+        return crosses(after, merged) && !crosses(before, old);
     }
 
     // Whether all faces round v but those with `other` stay what they are if v moves.
@@ -192,8 +235,7 @@ class Remesher {
             const double lengths = std::sqrt(length2(before) * length2(after));
             keeps = product > kLeastTurn * lengths && length2(place - at(b)) < most &&
                     !(params_.is_barred && params_.is_barred(place, at(b), at(c))) &&
-                    (!crosses({place, at(b), at(c)}, v, other) ||
-                     crosses({at(v), at(b), at(c)}, v, other));
+                    !merges_into({at(v), at(b), at(c)}, {place, at(b), at(c)}, v, other, place);
         });
         return keeps;
     }
@@ -294,16 +336,18 @@ class Remesher {
 
     // Whether one of the faces that the edge would have after its flip may not lie there.
     bool is_barred(std::uint32_t h) const {
-        if (!params_.is_barred && !params_.grid) return false;
         const std::uint32_t t = mesh_.twin[h];
         const Vec3 &a = at(mesh_.origin[h]), &b = at(mesh_.origin[t]);
         const Vec3& c = at(mesh_.origin[GrowingMesh::previous(h)]);
         const Vec3& d = at(mesh_.origin[GrowingMesh::previous(t)]);
         if (params_.is_barred && (params_.is_barred(a, d, c) || params_.is_barred(d, b, c)))
             return true;
-        const std::uint32_t from = mesh_.origin[h], to = mesh_.origin[t];
-        return (crosses({a, d, c}, from, to) || crosses({d, b, c}, from, to)) &&
-               !crosses({a, b, c}, from, to) && !crosses({b, a, d}, from, to);
+        const auto others = [&](std::uint32_t f) -> std::optional<Corners> {
+            if (f == h / 3 || f == t / 3) return {};
+            return place_of(f);
+        };
+        return (crosses({a, d, c}, others) || crosses({d, b, c}, others)) &&
+               !crosses({a, b, c}, others) && !crosses({b, a, d}, others);
     }
 
     void flip_all() {
@@ -318,6 +362,7 @@ class Remesher {
     GrowingMesh& mesh_;
     std::span<const Apex> apices_;
     const RemeshParams& params_;
+    std::optional<FaceGrid> grid_;  // of the mesh when it was last looked at
 };
 
 }  // namespace

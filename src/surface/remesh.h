@@ -4,7 +4,6 @@
 #include <span>
 
 #include "surface/apex.h"
-#include "surface/face_grid.h"
 #include "surface/growing_mesh.h"
 
 namespace edaha {
@@ -16,9 +15,6 @@ struct RemeshParams {
     bool flips = true;
     // Whether a face may not lie there: flips and collapses that would make one are left out.
     std::function<bool(const Vec3&, const Vec3&, const Vec3&)> is_barred = {};
-    // Of the mesh as it is: flips and collapses after which a face passes through another one are
-    // left out.
-    const FaceGrid* grid = nullptr;
     bool only_shrinking = true;  // eq. 2; without it tips are eaten
 };
 
@@ -30,7 +26,8 @@ struct RemeshParams {
 // splits one becomes its member, and where two share a vertex they join and run up as one (6.3).
 // The new vertex between an apex and the cambium below is turned about the heading by theta_p times
 // the travel between both, so that a line's turns add up to eq. 7. Crotches close (see the source).
-// No collapse or flip folds a face over. Deterministic; ties by index. O(edges log changes).
+// No collapse or flip folds a face over, or lets it pass through another one; nor does winding.
+// Deterministic; ties by index. O(edges log changes).
 void remesh(GrowingMesh& mesh, std::span<const Apex> apices, const RemeshParams& params);
 
 }  // namespace edaha

@@ -167,8 +167,6 @@ void SurfaceGrowth::remesh_all() {
             return fields_.is_barred(a, b, c);
         };
     }
-    const FaceGrid grid(mesh_, 2 * params_.split_mm);
-    how.grid = &grid;
     remesh(mesh_, apices_, how);
     close_channels(mesh_, {params_.merge_mm});
     for (Apex& apex : apices_)  // what was in a bubble has gone
