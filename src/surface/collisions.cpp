@@ -168,7 +168,7 @@ std::vector<std::uint32_t> watched_faces(const GrowingMesh& mesh, std::span<cons
         gather<std::uint32_t>(mesh.origin.size(), [&](std::size_t i, auto& found) {
             const auto h = static_cast<std::uint32_t>(i);
             if (mesh.origin[h] == kNone) return;
-            if (mesh.tissue[mesh.origin[h]] == Tissue::apex || is_sharp(h))
+            if (mesh.tissue[mesh.origin[h]] != Tissue::cambium || is_sharp(h))
                 found.push_back(mesh.origin[h]);
         });
     for (const std::uint32_t v : suspects)

@@ -31,8 +31,8 @@ struct FacingParams {
 // the face within two edges of the vertex [E]. Sorted by vertices, then faces.
 struct Facing {
     std::vector<FacingPair> pairs;
-    // Faces round apices, round pairs, at sharp folds, round suspects: those that may pass through
-    // others.
+    // Faces round apices and xylem, round pairs, at sharp folds, round suspects: those that may
+    // pass through others.
     std::vector<std::uint32_t> watched;
     std::optional<FaceGrid> grid;  // of the mesh as it was
 };
