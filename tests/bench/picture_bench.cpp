@@ -15,10 +15,12 @@
 namespace edaha {
 namespace {
 
-LeafImport load(const std::string& name) {
+LeafImport load_leaf(const std::string& name) {
     const Catalogue catalogue;
     return read_leaf(catalogue.find_leaf(name).text, name);
 }
+
+const DrawingLoader load{load_leaf, {}};
 
 Style style_of(const std::string& name) {
     const Catalogue catalogue;
@@ -55,12 +57,13 @@ class Variant {
     Variant() : style_(style_of("cherry")) {
         style_.energy.growth.energy = 300;
         for (const OrnamentParams* ornament : {&style_.leaf, &style_.blossom})
-            leaves_.emplace(ornament->shape, load(ornament->shape));
+            leaves_.emplace(ornament->shape, load_leaf(ornament->shape));
     }
 
     Picture draw() {
         style_.energy.variant.seed = style_.energy.variant.seed % 20 + 1;
-        return draw_picture(style_, [&](const std::string& name) { return leaves_.at(name); });
+        return draw_picture(style_,
+                            {[&](const std::string& name) { return leaves_.at(name); }, {}});
     }
 
   private:

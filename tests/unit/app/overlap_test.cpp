@@ -115,9 +115,9 @@ TEST_P(OverlapOfStyle, IsThatOfTheExactAreas) {
     const Catalogue catalogue;
     Style style = read_style(catalogue.find_style(GetParam()), catalogue);
     style.energy.growth.energy = 100;
-    const auto load = [&](const std::string& name) {
-        return read_leaf(catalogue.find_leaf(name).text, name);
-    };
+    const DrawingLoader load{
+        [&](const std::string& name) { return read_leaf(catalogue.find_leaf(name).text, name); },
+        {}};
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         style.energy.variant.seed = seed;
         const Drawing drawing = draw_picture(style, load).drawing;

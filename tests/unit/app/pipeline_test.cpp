@@ -15,10 +15,12 @@
 namespace edaha {
 namespace {
 
-LeafImport load(const std::string& name) {
+LeafImport load_leaf(const std::string& name) {
     const Catalogue catalogue;
     return read_leaf(catalogue.find_leaf(name).text, name);
 }
+
+const DrawingLoader load{load_leaf, {}};
 
 Style style_of(const std::string& name, std::uint64_t seed = 1) {
     const Catalogue catalogue;

@@ -13,9 +13,16 @@
 namespace edaha {
 namespace {
 
-LeafImport load_a_leaf(const std::string& name) {
+LeafImport load_leaf(const std::string& name) {
     return read_leaf(Catalogue().find_leaf(name).text, name);
 }
+
+BarkImport load_tile(const std::string& name) {
+    const SourceText source = Catalogue().find_leaf(name);
+    return read_bark(source.text, source.origin);
+}
+
+const DrawingLoader load{load_leaf, load_tile};
 
 Style small_tree() {
     Style style;
@@ -30,7 +37,7 @@ TEST(SurfacePicture, KeepsTheContractAndReportsGrowth) {
     Style style = small_tree();
     style.sprig.energy = 8;
     style.leaf.shape = "round";
-    const Picture picture = draw_picture(style, load_a_leaf);
+    const Picture picture = draw_picture(style, load);
     for (const auto& problem : check(picture.drawing))
         ADD_FAILURE() << problem;
     ASSERT_TRUE(picture.counts.surface.has_value());
@@ -40,8 +47,20 @@ TEST(SurfacePicture, KeepsTheContractAndReportsGrowth) {
     EXPECT_EQ(picture.steps.front().name, "grow");
 }
 
+TEST(SurfacePicture, HasItsBarkOverItsWood) {
+    Style style = small_tree();
+    style.flatten.bark_tile = "bark-plated";
+    style.flatten.bark_scale = 0.2;
+    const Picture picture = draw_picture(style, load);
+    for (const auto& problem : check(picture.drawing))
+        ADD_FAILURE() << problem;
+    const auto bark = std::ranges::find(picture.drawing.layers, "Bark", &Layer::label);
+    ASSERT_NE(bark, picture.drawing.layers.end());
+    EXPECT_FALSE(bark->children.empty());
+}
+
 TEST(SurfacePicture, FramesShareAPageAndTheirFoot) {
-    const std::vector<Picture> frames = draw_frames(small_tree(), load_a_leaf, 4, {});
+    const std::vector<Picture> frames = draw_frames(small_tree(), load, 4, {});
     ASSERT_EQ(frames.size(), 4U);
     for (const Picture& frame : frames) {
         EXPECT_EQ(frame.drawing.width_mm, frames.back().drawing.width_mm);

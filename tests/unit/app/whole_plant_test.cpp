@@ -15,9 +15,11 @@
 namespace edaha {
 namespace {
 
-LeafImport load(const std::string& name) {
+LeafImport load_leaf(const std::string& name) {
     return read_leaf(Catalogue().find_leaf(name).text, name);
 }
+
+const DrawingLoader load{load_leaf, {}};
 
 Style mangrove() {
     const Catalogue catalogue;
@@ -33,7 +35,7 @@ std::vector<std::string> labels_of(const Drawing& drawing) {
 
 void expect_no_step(const Style& style) {
     const double trunk_mm = 7;
-    const FlatModel model = draw_model(style, trunk_mm);
+    const FlatModel model = draw_model(style, make_model_mesh(style), trunk_mm, {});
     const TrunkTop& top = model.model.top.value();
     const FlatFrame& frame = model.flat.frame;
     EXPECT_EQ(model.crown.foot_mm, frame.flat_from_world(top.position));
@@ -53,8 +55,9 @@ TEST(WholePlant, TheCrownGoesOnAsTheTrunkEnds) {
         style.flatten.camera.azimuth_rad = azimuth;
         expect_no_step(style);
     }
-    EXPECT_NEAR(draw_model(style, 7).crown.scale, 1, 1e-9);  // the crown's own size counts
-    style.flatten.mm_per_unit = 0.3;                         // but for a scale that is said
+    EXPECT_NEAR(draw_model(style, make_model_mesh(style), 7, {}).crown.scale, 1,
+                1e-9);                // the crown's own size counts
+    style.flatten.mm_per_unit = 0.3;  // but for a scale that is said
     expect_no_step(style);
     style.flatten.camera.projection = Projection::perspective;
     expect_no_step(style);
@@ -89,7 +92,7 @@ TEST(WholePlant, TheTrunkBelowIsOfOneTone) {
     Style style = mangrove();
     const auto inks_of_trunk = [&](double trunk_mm) {
         std::vector<Ink> inks;
-        const FlatModel model = draw_model(style, trunk_mm);
+        const FlatModel model = draw_model(style, make_model_mesh(style), trunk_mm, {});
         const auto visit = [&](const auto& self, const std::vector<Element>& elements,
                                bool is_trunk, Paint paint) -> void {
             for (const Element& element : elements) {
