@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,6 +12,7 @@
 #include <malloc.h>
 #endif
 #include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include "app/batch/stop_signals.h"
@@ -25,12 +29,23 @@ std::filesystem::path user_folder() {
     return std::filesystem::path(home) / ".local/share/edaha";
 }
 
-// One tree's memory serves the next one: given back to the system and asked for again, it would
-// cost a fifth of the time of drawing.
+// One tree's memory serves the next one, in large pages where the system has them: given back and
+// asked for again page by page, it would cost a fifth of the time of drawing, and a third of that of
+// flattening a large mesh.
 void keep_freed_memory() {
 #if defined(__GLIBC__)
-    mallopt(M_TRIM_THRESHOLD, 64 << 20);
-    mallopt(M_MMAP_THRESHOLD, 16 << 20);
+    constexpr int kRoom = 1 << 30;  // of addresses: what is not used takes no memory
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+    mallopt(M_TOP_PAD, kRoom);
+    void* volatile taken = std::malloc(1 << 20);  // volatile: or nothing is asked for
+    std::free(taken);
+    char* const end = static_cast<char*>(sbrk(0));
+    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+    char* const start = end - std::min<std::uintptr_t>(kRoom, reinterpret_cast<std::uintptr_t>(end));
+    char* const from = start + (page - reinterpret_cast<std::uintptr_t>(start) % page) % page;
+    madvise(from, static_cast<std::size_t>(end - from), MADV_HUGEPAGE);
+    mallopt(M_TOP_PAD, 64 << 20);
 #endif
 }
 
