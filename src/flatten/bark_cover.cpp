@@ -116,7 +116,8 @@ class CoverLayer {
         const double jump = std::abs(a.x);
         const double along =
             glm::distance(place_at(edge.left, edge.a), place_at(edge.left, edge.b));
-        if (!(jump > 1e-3 * along) || !(glm::length(a - b) < 1e-3 * jump) || !(std::abs(a.y) < 1e-3 * jump))
+        if (!(jump > 1e-3 * along) || !(glm::length(a - b) < 1e-3 * jump) ||
+            !(std::abs(a.y) < 1e-3 * jump))
             return;
         extents_[mesh_.part_of[edge.left]].jumps.push_back(jump);
     }
@@ -193,8 +194,9 @@ class CoverLayer {
         const double waves[2][2] = {{1, 0.43}, {2, -0.71}};
         for (int axis = 0; axis < 2; ++axis) {
             for (int i = 0; i < 2; ++i) {
-                const double phase = fraction(step(key, static_cast<Key>(2 * axis + i))) +
-                                     waves[i][0] * turn + waves[i][1] * rise;
+                const double phase =
+                    fraction(step(key, Key{2} * static_cast<Key>(axis) + static_cast<Key>(i))) +
+                    waves[i][0] * turn + waves[i][1] * rise;
                 sum[axis] +=
                     stable::sin_cos(2 * std::numbers::pi * (phase - std::floor(phase))).sin;
             }
