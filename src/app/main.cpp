@@ -30,8 +30,8 @@ std::filesystem::path user_folder() {
 }
 
 // One tree's memory serves the next one, in large pages where the system has them: given back and
-// asked for again page by page, it would cost a fifth of the time of drawing, and a third of that of
-// flattening a large mesh.
+// asked for again page by page, it would cost a fifth of the time of drawing, and a third of that
+// of flattening a large mesh.
 void keep_freed_memory() {
 #if defined(__GLIBC__)
     constexpr int kRoom = 1 << 30;  // of addresses: what is not used takes no memory
@@ -42,7 +42,8 @@ void keep_freed_memory() {
     std::free(taken);
     char* const end = static_cast<char*>(sbrk(0));
     const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-    char* const start = end - std::min<std::uintptr_t>(kRoom, reinterpret_cast<std::uintptr_t>(end));
+    char* const start =
+        end - std::min<std::uintptr_t>(kRoom, reinterpret_cast<std::uintptr_t>(end));
     char* const from = start + (page - reinterpret_cast<std::uintptr_t>(start) % page) % page;
     madvise(from, static_cast<std::size_t>(end - from), MADV_HUGEPAGE);
     mallopt(M_TOP_PAD, 64 << 20);
