@@ -10,6 +10,8 @@
 
 #include "base/keyed_random.h"
 #include "flatten/flatten.h"
+#include "flatten/make_map.h"
+#include "support/id_buffer.h"
 #include "support/meshes.h"
 
 namespace edaha {
@@ -89,6 +91,31 @@ void torus(benchmark::State& state, FlatLook look) {
     flatten_mesh(state, test::torus(3, 1, 4 * across, across), look);
 }
 
+// The map of a large tree against a depth buffer of our own: how many of 1,000 covered pixels show
+// another part, and how many of them none that is seen within a pixel.
+void tree_labels(benchmark::State& state) {
+    constexpr int kSize = 1000;
+    const Mesh mesh = tree_of(static_cast<std::size_t>(state.range(0)));
+    FlattenParams params;
+    params.resolution = kSize - 20;
+    params.camera.azimuth_rad = 0.3;
+    params.camera.elevation_rad = 0.2;
+    test::Disagreement labels;
+    for (auto _ : state) {
+        StepClock clock;
+        const SeenMesh seen = see_mesh(mesh, params, clock);
+        const View fine = project(mesh, params.camera, test::kFine * params.resolution);
+        labels = test::compare(test::paint_depth(mesh, seen.view, kSize),
+                               test::paint_depth(mesh, fine, test::kFine * kSize),
+                               test::paint_map(seen.map, kSize));
+    }
+    state.counters["covered"] = static_cast<double>(labels.covered);
+    state.counters["differ_in_1000"] =
+        1000 * static_cast<double>(labels.differ) / static_cast<double>(labels.covered);
+    state.counters["further_than_1_px"] = static_cast<double>(labels.far);
+}
+
+BENCHMARK(tree_labels)->Arg(10'000)->Arg(150'000)->Iterations(1)->Unit(benchmark::kSecond);
 BENCHMARK_CAPTURE(tree, fills_and_lines, FlatLook::fills_lines)
     ->RangeMultiplier(10)
     ->Range(10'000, 1'000'000)
