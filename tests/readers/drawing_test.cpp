@@ -22,9 +22,10 @@ TEST_P(Drawings, KeepTheContract) {
 
 // What a person would call them; ids are the same with - for a blank.
 const std::set<std::string> kLayerNames{
-    "Ground",     "Wood behind", "Leaves behind", "Blossom behind", "Fruit behind",
-    "Wood",       "Leaves",      "Blossom",       "Fruit",          "Roots",
-    "Root lines", "Tree",        "Tree lines",    "Sprigs behind",  "Sprigs"};
+    "Ground",       "Wood behind",   "Leaves behind", "Blossom behind",
+    "Fruit behind", "Wood",          "Leaves",        "Blossom",
+    "Fruit",        "Roots",         "Root lines",    "Tree",
+    "Tree lines",   "Sprigs behind", "Sprigs",        "Bark"};
 
 TEST_P(Drawings, NameTheirLayers) {
     for (const std::uint64_t seed : seeds(GetParam())) {

@@ -18,8 +18,9 @@ class Rasters : public EveryStyle {
     double difference(int width_px, const std::string& poppler) const {
         const std::string width = std::to_string(width_px);
         read("rsvg-convert -w " + width + " -o " + name(".png") + ' ' + name(".svg"));
-        read(poppler + " -png -singlefile -scale-to-x " + width + " -scale-to-y -1 " +
-             name(".pdf") + ' ' + name("-pdf"));
+        // -W: it rounds up, be the page wider by the hundredth of a pixel.
+        read(poppler + " -png -singlefile -scale-to-x " + width + " -scale-to-y -1 -W " + width +
+             ' ' + name(".pdf") + ' ' + name("-pdf"));
         const ImageDifference difference = compare_images(name(".png"), name("-pdf.png"));
         EXPECT_EQ(difference.note, "");
         EXPECT_GT(difference.inked, 0.01) << "nothing was drawn";
