@@ -11,6 +11,7 @@
 #include "base/keyed_random.h"
 #include "flatten/flatten.h"
 #include "flatten/make_map.h"
+#include "support/flat_judge.h"
 #include "support/id_buffer.h"
 #include "support/meshes.h"
 
@@ -115,6 +116,49 @@ void tree_labels(benchmark::State& state) {
     state.counters["further_than_1_px"] = static_cast<double>(labels.far);
 }
 
+// The picture of a large tree, as librsvg draws it, against that depth buffer: pixels that show
+// another part, by how much; paper that shines through a wall behind the tree; how far the depth
+// buffer's edges are from strokes, in pixels (not the other way: within a part it has none);
+// breaches of the drawing's contract. With the smallest area as it is, and 0.
+void tree_oracles(benchmark::State& state) {
+    const Mesh mesh = tree_of(static_cast<std::size_t>(state.range(0)));
+    FlattenParams params;
+    params.look = FlatLook::fills_lines;
+    params.resolution = test::kSize - 20;
+    params.smoothing_px = 0;
+    params.min_area_px2 = double(state.range(1));
+    params.camera.azimuth_rad = 0.3;
+    params.camera.elevation_rad = 0.2;
+    FlattenParams lines = params;
+    lines.look = FlatLook::lines;
+    lines.min_line_mm = 0;
+    test::Judgement seen;
+    test::StrokeDistances strokes;
+    std::size_t leaks = 0;
+    for (auto _ : state) {
+        seen = test::judge(mesh, params);
+        FlattenParams fills = params;
+        fills.look = FlatLook::fills;
+        leaks = test::judge(test::before_a_wall(mesh, params.camera), fills).red;
+        strokes = test::stroke_distances(mesh, lines, "");
+    }
+    const auto percentile = [](const std::vector<double>& ascending) {
+        return ascending.at(static_cast<std::size_t>(0.95 * double(ascending.size() - 1)));
+    };
+    state.counters["differ_in_1000"] =
+        1000 * static_cast<double>(seen.labels.differ) / static_cast<double>(seen.labels.covered);
+    state.counters["further_than_1_px"] = static_cast<double>(seen.labels.far);
+    state.counters["further_than_2_px"] = static_cast<double>(seen.labels.very_far);
+    state.counters["leaks"] = static_cast<double>(leaks);
+    state.counters["breaches"] = static_cast<double>(seen.breaches.size());
+    state.counters["edges_95"] = percentile(strokes.of_edges);
+    state.counters["edges_most"] = strokes.of_edges.back();
+}
+
+BENCHMARK(tree_oracles)
+    ->ArgsProduct({{10'000, 150'000}, {2, 0}})
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
 BENCHMARK(tree_labels)->Arg(10'000)->Arg(150'000)->Iterations(1)->Unit(benchmark::kSecond);
 BENCHMARK_CAPTURE(tree, fills_and_lines, FlatLook::fills_lines)
     ->RangeMultiplier(10)
