@@ -15,8 +15,8 @@ struct BarkPiece {
     std::uint32_t part = 0, line = 0;  // of the cover
     double start = 0, end = 0;         // along the line: whole numbers are its points
     SurfaceStep step;
-    float room = 1;            // between neighbouring lines in the view, seen straight: 1
-    float facing = 1;          // how straight it is seen, seen straight: 1
+    float room = 1;    // between neighbouring lines in the view, seen straight: 1
+    float facing = 1;  // how straight it is seen, seen straight: 1
     float bright_from = 0, bright_to = 0;
 };
 

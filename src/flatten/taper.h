@@ -7,8 +7,8 @@
 namespace edaha {
 
 struct TaperParams {
-    double width_px = 1;  // in the middle
-    double taper_px = 0;  // length over which it thins to nothing at both ends
+    double width_px = 1;               // in the middle
+    double taper_px = 0;               // length over which it thins to nothing at both ends
     std::span<const double> widths{};  // evenly along the line, in parts of width_px; empty: 1
     double tolerance_px = 0.1;         // of both sides
 };
