@@ -70,6 +70,10 @@ std::int32_t clump_of(const std::vector<MeshPart>& parts, std::uint32_t part) {
     return static_cast<std::int32_t>(part);
 }
 
+Key key_of(const Mesh& mesh, const SprigSite& sprig, std::vector<std::uint32_t>& count_of_part) {
+    return step(name_key(mesh.parts[sprig.part].name), count_of_part[sprig.part]++);
+}
+
 class IdSettler {
   public:
     void take(const std::vector<Element>& elements) {
@@ -152,7 +156,7 @@ std::vector<Site> sites(const FlatModel& model) {
                         -glm::dot(sprig.direction, frame.up));
         const double length = glm::length(seen);
         site.direction = length > 1e-3 ? seen / length : Vec2(0, -1);  // towards the eye: upwards
-        site.key = step(name_key(mesh.parts[sprig.part].name), count_of_part[sprig.part]++);
+        site.key = key_of(mesh, sprig, count_of_part);
         site.wood_width_mm = sprig.size * frame.mm_per_unit_at(sprig.position);
         site.clump = clump_of(mesh.parts, sprig.part);
         site.terminal = true;
@@ -165,21 +169,19 @@ std::vector<Site> sites(const FlatModel& model) {
 std::vector<SprigPlace> sprig_places(const FlatModel& model) {
     const Mesh& mesh = model.model.mesh;
     const FlatFrame& frame = model.flat.frame;
-    const std::vector<Site> places = sites(model);
-    double reach = 1e-9;  // of the crown towards the eye
-    for (const SprigSite& sprig : mesh.sites)
-        reach = std::max(reach, std::abs(glm::dot(sprig.position - frame.middle, frame.to_eye)));
+    const auto seen = [&](const Vec3& v) {
+        return Vec3(glm::dot(v, frame.right), -glm::dot(v, frame.up), glm::dot(v, frame.to_eye));
+    };
     std::vector<SprigPlace> result;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const SprigSite& sprig = mesh.sites[i];
+    std::vector<std::uint32_t> count_of_part(mesh.parts.size(), 0);
+    for (const SprigSite& sprig : mesh.sites) {
+        const double scale = frame.mm_per_unit_at(sprig.position);
         SprigPlace place;
-        place.site = places[i];
-        const double away = glm::dot(sprig.direction, frame.to_eye);
-        place.seen = std::sqrt(std::max(0.0, 1 - away * away));
-        place.depth = glm::dot(sprig.position - frame.middle, frame.to_eye);
-        place.size_mm = sprig.size * frame.mm_per_unit_at(sprig.position);
-        // Mostly by the side that it leaves its branch on, and a little by the branch's own.
-        place.site.back = 0.6 * away + 0.4 * place.depth / reach < 0;
+        place.key = key_of(mesh, sprig, count_of_part);
+        place.foot = Vec3(frame.flat_from_world(sprig.position),
+                          glm::dot(sprig.position - frame.middle, frame.to_eye) * scale);
+        place.direction = seen(sprig.direction);
+        place.size_mm = sprig.size * scale;
         result.push_back(place);
     }
     return result;

@@ -29,7 +29,7 @@ FlatModel draw_model(const Style& style, ModelMesh model, double trunk_mm, const
 // The mesh's places for twigs, as seen. Clumps are parts: boughs of order 2 with all they bear.
 std::vector<Site> sites(const FlatModel& model);
 
-// The same for sprigs. Those stand behind the wood that leave it on its far side.
+// The same for sprigs, with their depth.
 std::vector<SprigPlace> sprig_places(const FlatModel& model);
 
 // Makes ids of all shapes and groups XML names, and other than each other and than `taken`.

@@ -13,6 +13,7 @@
 #include "energy/grow.h"
 #include "energy/move_limbs.h"
 #include "energy/wood.h"
+#include "flatten/light.h"
 #include "ornament/placement.h"
 #include "style/parameter.h"
 
@@ -123,9 +124,14 @@ class PictureMaker {
             for (Symbol& sprig : sprigs)
                 restrict_colours(sprig.shapes);
         }
+        SprigInks inks = sprig_inks(style_.palette);
+        inks.stroked = std::ranges::any_of(
+            sprigs, [](const Symbol& sprig) { return has_strokes(sprig.shapes); });
         std::move(sprigs.begin(), sprigs.end(), std::back_inserter(symbols));
-        SprigLayers layers = place_sprigs(sprig_places(model), which, style_.sprig,
-                                          twigs_of(model).clump_id, random_);
+        const glm::dvec3 up = seen_light(style_.flatten);
+        const glm::dvec3 to_light(up.x, -up.y, up.z);
+        SprigLayers layers =
+            place_sprigs(sprig_places(model), which, style_.sprig, inks, to_light, random_);
         picture_.counts.sprigs = layers.count;
         behind.push_back(std::move(layers.behind));
         front.push_back(std::move(layers.front));

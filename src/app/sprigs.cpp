@@ -12,90 +12,31 @@
 #include "energy/grow.h"
 #include "energy/limbs.h"
 #include "energy/wood.h"
+#include "geometry/unite.h"
 #include "ornament/place_sprigs.h"
 #include "ornament/placement.h"
 
 namespace edaha {
 namespace {
 
-constexpr std::array<const char*, kSprigTones> kSprigToneNames{"shade", "mid", "light", "back"};
+constexpr std::array<const char*, kSprigParts> kSprigPartNames{"stem", "inner", "outer"};
 
-// A sprig in one tone is mostly of that tone, with some of its neighbours': so it has depth, and a
-// crown still has large light and dark parts.
-Tones tones_in(const Tones& all, SprigTone tone, const Palette& palette) {
-    switch (tone) {
-        case SprigTone::shade:
-            return {all.mid, all.shade, all.shade, all.back};
-        case SprigTone::light:
-            return {all.light, all.light, all.mid, all.back};
-        case SprigTone::back: {
-            const Colour far = mixed(all.back, palette.paper, 0.12);
-            return {all.back, all.back, far, all.back};
-        }
-        case SprigTone::mid:
-            break;
-    }
-    return all;
-}
-
-Colour wood_in(const Palette& palette, SprigTone tone) {
-    if (tone == SprigTone::back) return palette.wood_back;
-    if (tone == SprigTone::shade) return palette.wood_shade;
-    return palette.wood;
-}
+// Leaves whose far end is nearer to the foot than this part of the sprig's reach are inner ones:
+// less and all tufts are flat, more and they are dark.
+constexpr double kInner = 0.62;
 
 void transform(Path& path, const Affine& map) {
     for (Vec2& point : path.points)
         point = edaha::transform(map, point);
 }
 
-// All shapes under some elements, moved by the instances' maps.
-class ShapeCollector {
-  public:
-    explicit ShapeCollector(const std::vector<Shape>& leaf) : leaf_(leaf) {}
-
-    void take(const std::vector<Element>& elements, Paint paint) {
-        for (const Element& element : elements) {
-            if (const auto* group = std::get_if<Group>(&element)) {
-                take(group->children, inherit(paint, group->paint));
-            } else if (const auto* use = std::get_if<Use>(&element)) {
-                for (const Shape& shape : leaf_)
-                    add(shape, inherit(paint, use->paint), use->page_from_symbol);
-            } else {
-                add(std::get<Shape>(element), paint, Affine(1, 0, 0, 1, 0, 0));
-            }
-        }
+// All paths under some elements.
+void take_paths(const std::vector<Element>& elements, std::vector<Path>& paths) {
+    for (const Element& element : elements) {
+        if (const auto* group = std::get_if<Group>(&element)) take_paths(group->children, paths);
+        if (const auto* shape = std::get_if<Shape>(&element)) paths.push_back(shape->path);
     }
-
-    std::vector<Shape> result;
-
-  private:
-    static Paint inherit(Paint outer, const Paint& inner) {
-        if (inner.fill.kind != Ink::Kind::inherit) outer.fill = inner.fill;
-        if (inner.stroke.kind != Ink::Kind::inherit) outer.stroke = inner.stroke;
-        if (inner.stroke_width_mm > 0) outer.stroke_width_mm = inner.stroke_width_mm;
-        outer.fill_opacity = std::min(outer.fill_opacity, inner.fill_opacity);
-        outer.stroke_opacity = std::min(outer.stroke_opacity, inner.stroke_opacity);
-        return outer;
-    }
-
-    void add(const Shape& shape, const Paint& outer, const Affine& map) {
-        Shape made{{}, shape.path, inherit(outer, shape.paint)};
-        transform(made.path, map);
-        made.paint.stroke_width_mm *= glm::length(map[1]);
-        // Neighbours of one paint become one path: a sprig has few tones, and many leaves.
-        if (!result.empty() && result.back().paint == made.paint &&
-            made.paint.stroke.kind != Ink::Kind::colour) {
-            Path& path = result.back().path;
-            path.verbs.insert(path.verbs.end(), made.path.verbs.begin(), made.path.verbs.end());
-            path.points.insert(path.points.end(), made.path.points.begin(), made.path.points.end());
-            return;
-        }
-        result.push_back(std::move(made));
-    }
-
-    const std::vector<Shape>& leaf_;
-};
+}
 
 class SprigGrower {
   public:
@@ -108,24 +49,22 @@ class SprigGrower {
         look_.marks = 0;
         for (const Dress& dress : dresses(style)) {
             if (!dress.params.shape.empty())
-                leaves_.push_back({dress, plain(load_leaf(dress.params.shape).leaf.shapes)});
+                ornaments_.push_back({dress, plain(load_leaf(dress.params.shape).leaf.shapes)});
         }
     }
 
     std::vector<Symbol> run() const {
-        const auto variants = static_cast<std::size_t>(style_.sprig.variants);
-        std::vector<Symbol> symbols(kSprigTones * variants);
-        for (std::size_t i = 0; i < variants; ++i) {
+        std::vector<Symbol> symbols;
+        for (std::int64_t i = 0; i < style_.sprig.variants; ++i) {
             EnergyParams energy = style_.energy;
             energy.growth.energy = style_.sprig.energy;
-            energy.variant.seed = step(energy.variant.seed, i);
-            energy.variant.family = step(energy.variant.family, i);
-            const Limbs limbs = make_limbs(grow(energy), energy, look_);
-            for (std::uint32_t tone = 0; tone < kSprigTones; ++tone) {
-                Symbol& symbol = symbols[tone * variants + i];
-                symbol.id =
-                    std::string("sprig-") + std::to_string(i + 1) + '-' + kSprigToneNames[tone];
-                symbol.shapes = draw(limbs, energy.variant, static_cast<SprigTone>(tone));
+            energy.variant.seed = step(energy.variant.seed, static_cast<Key>(i));
+            energy.variant.family = step(energy.variant.family, static_cast<Key>(i));
+            Parts parts = draw(make_limbs(grow(energy), energy, look_), energy.variant);
+            for (std::uint32_t part = 0; part < kSprigParts; ++part) {
+                symbols.push_back(
+                    {"sprig-" + std::to_string(i + 1) + '-' + kSprigPartNames[part], {}});
+                symbols.back().shapes = std::move(parts[part]);
             }
         }
         return symbols;
@@ -149,59 +88,108 @@ class SprigGrower {
         std::vector<Shape> shapes;
     };
 
-    std::vector<Shape> draw(const Limbs& limbs, const VariantParams& variant,
-                            SprigTone tone) const {
-        Palette palette = style_.palette;
-        palette.wood = palette.wood_light = palette.wood_shade = wood_in(style_.palette, tone);
-        std::vector<Shape> behind, front;
-        for (const Ornament& ornament : leaves_)
-            add(limbs, variant, ornament, tone, behind, front);
-        ShapeCollector wood({});
-        for (const Layer& layer : draw_wood(limbs, look_, palette).front)
-            wood.take(layer.children, layer.paint);
-        std::vector<Shape> shapes = std::move(behind);
-        shapes.insert(shapes.end(), wood.result.begin(), wood.result.end());
-        shapes.insert(shapes.end(), front.begin(), front.end());
-        to_length(shapes);
+    using Parts = std::array<std::vector<Shape>, kSprigParts>;
+
+    Parts draw(const Limbs& limbs, const VariantParams& variant) const {
+        Parts parts;
+        std::vector<Path> wood;
+        for (const Layer& layer : draw_wood(limbs, look_, style_.palette).front)
+            take_paths(layer.children, wood);
+        parts[0] = united(wood);
+        for (const Ornament& ornament : ornaments_)
+            add(ornament, limbs, variant, parts);
+        to_length(parts);
+        return parts;
+    }
+
+    void add(const Ornament& ornament, const Limbs& limbs, const VariantParams& variant,
+             Parts& parts) const {
+        const std::vector<Affine> maps = places(ornament.dress, limbs, variant);
+        if (ornament.dress.salt > 0) {
+            for (const Affine& map : maps)
+                append(parts[2], ornament, map);
+            return;
+        }
+        double reach = 0;
+        for (const Affine& map : maps)
+            reach = std::max(reach, reach_of(map));
+        std::array<std::vector<Shape>, 2> halves;
+        for (const Affine& map : maps)
+            append(halves[reach_of(map) < kInner * reach ? 0 : 1], ornament, map);
+        for (std::size_t half = 0; half < 2; ++half)
+            parts[half + 1] = merged(std::move(halves[half]));
+    }
+
+    static double reach_of(const Affine& map) {
+        return glm::length(edaha::transform(map, Vec2(0, -kLeafLength)));
+    }
+
+    // One kind of leaf has the colour of the instance; other ornaments keep their middle tone.
+    static void append(std::vector<Shape>& shapes, const Ornament& ornament, const Affine& map) {
+        for (Shape shape : ornament.shapes) {
+            shape.id.clear();
+            transform(shape.path, map);
+            shape.paint.stroke_width_mm *= glm::length(map[1]);
+            if (ornament.dress.salt > 0 && shape.paint.fill.kind == Ink::Kind::inherit)
+                shape.paint.fill = ornament.dress.tones.mid;
+            shapes.push_back(std::move(shape));
+        }
+    }
+
+    // What takes the instance's colour becomes one path; leaves of several colours stay as they
+    // are.
+    static std::vector<Shape> merged(std::vector<Shape> shapes) {
+        std::vector<Path> paths;
+        for (const Shape& shape : shapes) {
+            if (shape.paint.fill.kind != Ink::Kind::inherit) return shapes;
+            paths.push_back(shape.path);
+        }
+        return united(paths);
+    }
+
+    static std::vector<Shape> united(const std::vector<Path>& paths) {
+        std::vector<Shape> shapes;
+        Path path = unite(paths);
+        Paint paint;
+        paint.stroke = Ink::none();
+        if (!path.verbs.empty()) shapes.push_back({{}, std::move(path), paint});
         return shapes;
     }
 
-    void add(const Limbs& limbs, const VariantParams& variant, const Ornament& ornament,
-             SprigTone tone, std::vector<Shape>& behind, std::vector<Shape>& front) const {
+    std::vector<Affine> places(const Dress& dress, const Limbs& limbs,
+                               const VariantParams& variant) const {
         PlacementParams params;
-        params.ornament = ornament.dress.params;
-        params.tones = tones_in(ornament.dress.tones, tone, style_.palette);
-        params.label = ornament.dress.label;
-        params.salt = ornament.dress.salt;
+        params.ornament = dress.params;
+        params.tones = dress.tones;
+        params.label = dress.label;
+        params.salt = dress.salt;
         params.clump_id = [&](std::int32_t limb) { return std::to_string(limb); };
-        params.stroked = has_strokes(ornament.shapes);
         const SiteParams along{params.ornament.along_mm, params.ornament.along_width_mm};
         const KeyedRandom random(variant.family, variant.seed, variant.vary);
-        const Placement placement = place(sites(limbs, look_, along), params, random);
-        ShapeCollector low(ornament.shapes), high(ornament.shapes);
-        low.take(placement.behind.children, placement.behind.paint);
-        high.take(placement.front.children, placement.front.paint);
-        behind.insert(behind.end(), low.result.begin(), low.result.end());
-        front.insert(front.end(), high.result.begin(), high.result.end());
+        return place(sites(limbs, look_, along), params, random).all;
     }
 
     // Control points lie a little outside their curves: near enough for a size.
-    static void to_length(std::vector<Shape>& shapes) {
+    static void to_length(Parts& parts) {
         double reach = 1e-9;
-        for (const Shape& shape : shapes) {
-            for (const Vec2 point : shape.path.points)
-                reach = std::max(reach, glm::length(point));
+        for (const std::vector<Shape>& shapes : parts) {
+            for (const Shape& shape : shapes) {
+                for (const Vec2 point : shape.path.points)
+                    reach = std::max(reach, glm::length(point));
+            }
         }
         const double scale = kLeafLength / reach;
-        for (Shape& shape : shapes) {
-            transform(shape.path, Affine(scale, 0, 0, scale, 0, 0));
-            shape.paint.stroke_width_mm *= scale;
+        for (std::vector<Shape>& shapes : parts) {
+            for (Shape& shape : shapes) {
+                transform(shape.path, Affine(scale, 0, 0, scale, 0, 0));
+                shape.paint.stroke_width_mm *= scale;
+            }
         }
     }
 
     const Style& style_;
     LookParams look_;
-    std::vector<Ornament> leaves_;
+    std::vector<Ornament> ornaments_;
 };
 
 }  // namespace
@@ -209,6 +197,26 @@ class SprigGrower {
 std::vector<Symbol> grow_sprigs(
     const Style& style, const std::function<LeafImport(const std::string& name)>& load_leaf) {
     return SprigGrower(style, load_leaf).run();
+}
+
+SprigInks sprig_inks(const Palette& p) {
+    // Inside a clump it is darker than at its rim, by half a step: a whole one makes confetti.
+    const auto between = [&](Colour from, Colour to, double part) {
+        return p.strict ? from : mixed(from, to, part);
+    };
+    SprigInks inks;
+    inks.stem = p.wood_shade;
+    inks.far_stem = p.wood_back;
+    const auto set = [&](SprigTone tone, Colour inner, Colour outer) {
+        inks.leaves[static_cast<std::size_t>(tone)] = {inner, outer};
+    };
+    set(SprigTone::far_shade, between(p.leaf_back, p.leaf_shade, 0.35),
+        between(p.leaf_back, p.leaf_shade, 0.15));
+    set(SprigTone::far, p.leaf_back, between(p.leaf_back, p.paper, 0.2));
+    set(SprigTone::shade, p.leaf_shade, between(p.leaf_shade, p.leaf, 0.2));
+    set(SprigTone::mid, between(p.leaf, p.leaf_shade, 0.35), p.leaf);
+    set(SprigTone::light, between(p.leaf_light, p.leaf, 0.55), p.leaf_light);
+    return inks;
 }
 
 }  // namespace edaha

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.h"
-#include "base/stable_math.h"
+#include "flatten/light.h"
 #include "mesh/corner_groups.h"
 #include "mesh/facets.h"
 
@@ -22,10 +22,8 @@ class ToneMaker {
   public:
     ToneMaker(const Mesh& mesh, const View& view, const FlattenParams& params)
         : mesh_(mesh), params_(params) {
-        const auto azimuth = stable::sin_cos(params.light_azimuth_rad);
-        const auto elevation = stable::sin_cos(params.light_elevation_rad);
-        light_ = view.right * (azimuth.sin * elevation.cos) + view.up * elevation.sin +
-                 view.to_eye * (azimuth.cos * elevation.cos);
+        const Vec3 light = seen_light(params);
+        light_ = view.right * light.x + view.up * light.y + view.to_eye * light.z;
     }
 
     std::vector<std::array<float, 3>> flat() const {

@@ -1,37 +1,53 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
-#include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
+#include "base/colour.h"
 #include "base/keyed_random.h"
 #include "drawing/drawing.h"
-#include "drawing/site.h"
 #include "ornament/sprig_params.h"
 
 namespace edaha {
 
-// A place for a sprig, as seen. Millimetres, y down.
+// A place for a sprig, as seen: x to the right, y down, z towards the eye, from the middle of the
+// picture's depth.
 struct SprigPlace {
-    Site site;           // its direction is the sprig's
-    double size_mm = 1;  // of a sprig that is not foreshortened
-    double seen = 1;     // of the sprig's length: 0 where it points at the eye or away from it
-    double depth = 0;    // towards the eye
+    Key key = 0;
+    glm::dvec3 foot{0};              // mm
+    glm::dvec3 direction{0, -1, 0};  // unit
+    double size_mm = 1;              // of a sprig that is not foreshortened
 };
 
-enum class SprigTone : std::uint32_t { shade, mid, light, back };
-inline constexpr std::uint32_t kSprigTones = 4;
+// A sprig is three symbols, one upon the other.
+enum class SprigPart : std::uint32_t { stem, inner, outer };
+inline constexpr std::uint32_t kSprigParts = 3;
 
-// Symbols stand one after the other, variant by variant, tone by tone.
+// Symbols stand one after the other, variant by variant, part by part.
 struct SprigSymbols {
     std::uint32_t first = 0;  // index into Drawing::symbols
     std::uint32_t variants = 1;
 
-    std::uint32_t index(SprigTone tone, std::uint32_t variant) const {
-        return first + static_cast<std::uint32_t>(tone) * variants + variant;
+    std::uint32_t index(SprigPart part, std::uint32_t variant) const {
+        return first + variant * kSprigParts + static_cast<std::uint32_t>(part);
     }
+};
+
+// In the order in which those of one clump are painted.
+enum class SprigTone : std::uint32_t { far_shade, far, shade, mid, light };
+inline constexpr std::uint32_t kSprigTones = 5;
+
+struct SprigInks {
+    struct Leaves {
+        Colour inner, outer;
+    };
+    Colour stem, far_stem;
+    std::array<Leaves, kSprigTones> leaves;  // a tone
+    bool stroked = false;                    // leaves have strokes that take the tone's colour, too
 };
 
 struct SprigLayers {
@@ -40,12 +56,15 @@ struct SprigLayers {
     std::size_t count = 0;
 };
 
-// Instances of sprigs on their places: a group a clump, the far clumps and in each the far sprigs
-// first. They are foreshortened by less than they are seen to be, so that none is a mere line; the
-// mirror image of a sprig counts as another. Lit as leaves are. O(n log n). All ours [E].
+// Instances of sprigs on their places, those that leave the wood on its far side on the layer
+// behind. Each layer has all stems first, so that none begins on top of leaves: a foot stands on
+// wood, or behind it. Then a group a clump (sprig_clumps.h), the far and high ones first, and in it
+// a group a tone and part. Sprigs turn outwards from their clump's middle and are smaller at its
+// rim, so that it is a rounded mass; `to_light` shines on that mass and on the whole crown. They
+// are foreshortened by less than they are seen to be, so that none is a mere line; the
+// mirror image of a sprig counts as another. O(n clumps). All ours [E].
 SprigLayers place_sprigs(std::span<const SprigPlace> places, const SprigSymbols& symbols,
-                         const SprigParams& params,
-                         const std::function<std::string(std::int32_t)>& clump_id,
-                         const KeyedRandom& random);
+                         const SprigParams& params, const SprigInks& inks,
+                         const glm::dvec3& to_light, const KeyedRandom& random);
 
 }  // namespace edaha

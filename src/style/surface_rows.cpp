@@ -83,6 +83,10 @@ std::vector<Parameter> sprig_rows() {
         "sizes vary by up to this part of themselves"});
     rows.add(&P::droop, {"sprig-droop", {0, 1}, kOurs,
         "how far sprigs turn to hang straight down"});
+    rows.add(&P::clump, {"sprig-clump", {0.1, 1000}, kOurs,
+        "radius of the clumps that they stand in and are shaded as: lengths of a sprig", {0.8, 3}});
+    rows.add(&P::rounding, {"sprig-rounding", {0, 1}, kOurs,
+        "how far they turn away from the middle of their clump"});
     // clang-format on
     return rows.take();
 }

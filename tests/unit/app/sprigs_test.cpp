@@ -2,6 +2,8 @@
 #include "app/sprigs.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -24,70 +26,152 @@ Style sprig_style() {
     return style;
 }
 
-double reach(const Symbol& symbol) {
+double reach(std::span<const Symbol> parts) {
     double most = 0;
-    for (const Shape& shape : symbol.shapes) {
-        for (const Vec2 point : shape.path.points)
-            most = std::max(most, glm::length(point));
+    for (const Symbol& symbol : parts) {
+        for (const Shape& shape : symbol.shapes) {
+            for (const Vec2 point : shape.path.points)
+                most = std::max(most, glm::length(point));
+        }
     }
     return most;
 }
 
-TEST(Sprigs, EachVariantComesInAllTonesWithOneOutline) {
-    const std::vector<Symbol> sprigs = grow_sprigs(sprig_style(), load_leaf);
-    ASSERT_EQ(sprigs.size(), 3 * kSprigTones);
-    const SprigSymbols which{0, 3};
-    for (std::uint32_t variant = 0; variant < 3; ++variant) {
-        for (const SprigTone tone : {SprigTone::shade, SprigTone::light, SprigTone::back}) {
-            const Symbol& one = sprigs[which.index(tone, variant)];
-            EXPECT_FALSE(one.shapes.empty());
-            EXPECT_NEAR(reach(one), kLeafLength, 1e-9);
+// Of a layer: of all its instances, with how they are painted.
+struct Placed {
+    Use use;
+    Paint paint;
+};
+
+void collect(const std::vector<Element>& elements, const Paint& paint, std::vector<Placed>& all) {
+    for (const Element& element : elements) {
+        if (const auto* group = std::get_if<Group>(&element)) {
+            collect(group->children,
+                    group->paint.fill.kind == Ink::Kind::colour ? group->paint : paint, all);
+        } else {
+            const Use& use = std::get<Use>(element);
+            all.push_back({use, use.paint.fill.kind == Ink::Kind::colour ? use.paint : paint});
         }
     }
-    EXPECT_NE(sprigs[0].shapes.back().path.points, sprigs[1].shapes.back().path.points);
+}
+
+std::vector<Placed> instances(const Layer& layer) {
+    std::vector<Placed> all;
+    collect(layer.children, layer.paint, all);
+    return all;
+}
+
+SprigInks test_inks() {
+    Palette palette;
+    palette.strict = true;
+    return sprig_inks(palette);
+}
+
+SprigLayers placed(std::span<const SprigPlace> places, const SprigParams& params) {
+    return place_sprigs(places, {0, 1}, params, test_inks(), {-0.5, -0.7, 0.5}, {1, 1, 1});
+}
+
+TEST(Sprigs, AreOfThreePartsThatTogetherReachAsFarAsALeaf) {
+    const std::vector<Symbol> sprigs = grow_sprigs(sprig_style(), load_leaf);
+    ASSERT_EQ(sprigs.size(), 3 * kSprigParts);
+    for (std::size_t variant = 0; variant < 3; ++variant) {
+        const std::span parts = std::span(sprigs).subspan(variant * kSprigParts, kSprigParts);
+        EXPECT_NEAR(reach(parts), kLeafLength, 1e-9);
+        for (const Symbol& part : parts) {
+            ASSERT_EQ(part.shapes.size(), 1U) << part.id;
+            EXPECT_EQ(part.shapes[0].paint.fill.kind, Ink::Kind::inherit) << part.id;
+        }
+        EXPECT_LT(reach(parts.subspan(1, 1)), reach(parts.subspan(2, 1)));
+    }
+    EXPECT_NE(sprigs[0].shapes[0].path.points, sprigs[kSprigParts].shapes[0].path.points);
+}
+
+TEST(Sprigs, FruitKeepsItsColourAmongLeaves) {
+    Style style = sprig_style();
+    style.fruit.shape = "apple";
+    const std::vector<Symbol> sprigs = grow_sprigs(style, load_leaf);
+    const std::vector<Shape>& outer = sprigs[SprigSymbols{0, 3}.index(SprigPart::outer, 0)].shapes;
+    ASSERT_GT(outer.size(), 1U);
+    EXPECT_EQ(outer.front().paint.fill.kind, Ink::Kind::inherit);
+    EXPECT_EQ(outer.back().paint.fill.kind, Ink::Kind::colour);
 }
 
 TEST(Sprigs, ASprigIsForeshortenedButNeverFlat) {
-    SprigPlace place;
-    place.site.direction = {1, 0};
-    place.size_mm = 20;
     SprigParams params;
     params.size_spread = 0;
     params.droop = 0;
     const auto length = [&](double seen) {
-        place.seen = seen;
-        const SprigLayers layers =
-            place_sprigs(std::span(&place, 1), {0, 1}, params,
-                         [](std::int32_t) { return std::string("bough"); }, {1, 1, 1});
-        const auto& group = std::get<Group>(layers.front.children.at(0));
-        const Use& use = std::get<Use>(group.children.at(0));
-        return glm::length(use.page_from_symbol[1]) * kLeafLength;
+        SprigPlace place;
+        place.size_mm = 20;
+        place.direction = {seen, 0, std::sqrt(1 - seen * seen)};
+        params.rounding = 0;
+        const SprigLayers layers = placed(std::span(&place, 1), params);
+        return glm::length(instances(layers.front).at(0).use.page_from_symbol[1]) * kLeafLength;
     };
-    EXPECT_NEAR(length(1), 20, 1e-9);
-    EXPECT_GT(length(0), 10);
+    const double whole = length(1);
+    EXPECT_GT(length(0), whole / 2);
     EXPECT_LT(length(0), length(0.5));
+    EXPECT_LT(length(0.5), whole);
+    EXPECT_LE(whole, 20 + 1e-9);
 }
 
-TEST(Sprigs, FarOnesComeFirstAndThoseBehindHaveTheirOwnLayer) {
-    std::vector<SprigPlace> places(3);
-    for (std::size_t i = 0; i < 3; ++i) {
-        places[i].site.key = i;
-        places[i].site.direction = {0, -1};
-        places[i].site.position = {10.0 * static_cast<double>(i), 0};
+std::vector<SprigPlace> ball_of_sprigs() {
+    std::vector<SprigPlace> places;
+    for (int i = 0; i < 400; ++i) {
+        const double z = 1 - (i + 0.5) / 200;
+        const double angle = 2.4 * i, round = std::sqrt(1 - z * z);
+        SprigPlace place;
+        place.key = static_cast<Key>(i);
+        place.direction = {round * std::cos(angle), round * std::sin(angle), z};
+        place.foot = 20.0 * place.direction;
+        place.size_mm = 8;
+        places.push_back(place);
     }
-    places[0].depth = 5;
-    places[1].depth = -5;
-    places[2].site.back = true;
-    const SprigLayers layers =
-        place_sprigs(places, {0, 1}, {}, [](std::int32_t) { return std::string("b"); }, {1, 1, 1});
-    EXPECT_EQ(layers.count, 3U);
-    const auto& front = std::get<Group>(layers.front.children.at(0)).children;
-    ASSERT_EQ(front.size(), 2U);
-    EXPECT_EQ(std::get<Use>(front[0]).page_from_symbol[2].x, 10);
-    EXPECT_EQ(std::get<Use>(front[1]).page_from_symbol[2].x, 0);
-    ASSERT_EQ(layers.behind.children.size(), 1U);
+    return places;
+}
+
+TEST(Sprigs, StemsComeFirstAndThenTheLeavesOfWhatIsFarther) {
+    const SprigLayers layers = placed(ball_of_sprigs(), {});
+    EXPECT_EQ(layers.count, 400U);
     EXPECT_EQ(layers.front.label, "Sprigs");
     EXPECT_EQ(layers.behind.label, "Sprigs behind");
+    std::size_t uses = 0;
+    for (const Layer* layer : {&layers.behind, &layers.front}) {
+        const std::vector<Placed> all = instances(*layer);
+        uses += all.size();
+        ASSERT_GT(all.size(), 100 * kSprigParts);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            EXPECT_EQ(all[i].use.symbol == 0, i < all.size() / kSprigParts);
+    }
+    EXPECT_EQ(uses, 400 * kSprigParts);
+}
+
+TEST(Sprigs, ABallIsLightWhereTheLightComesFromAndDarkBelow) {
+    SprigParams params;
+    params.clump = 1000;
+    const SprigInks inks = test_inks();
+    double light = 0, shade = 0;
+    std::size_t lights = 0, shades = 0;
+    for (const Placed& placed : instances(placed(ball_of_sprigs(), params).front)) {
+        const double y = placed.use.page_from_symbol[2].y;
+        if (placed.paint.fill.colour == inks.leaves[std::size_t(SprigTone::light)].outer)
+            light += y, ++lights;
+        if (placed.paint.fill.colour == inks.leaves[std::size_t(SprigTone::shade)].inner)
+            shade += y, ++shades;
+    }
+    ASSERT_GT(lights, 20U);
+    ASSERT_GT(shades, 20U);
+    EXPECT_LT(light / static_cast<double>(lights), -4);
+    EXPECT_GT(shade / static_cast<double>(shades), 4);
+}
+
+TEST(Sprigs, TheFarHalfFades) {
+    const SprigInks inks = test_inks();
+    const Colour far = inks.leaves[std::size_t(SprigTone::far)].outer;
+    const auto is_far = [&](const Placed& placed) { return placed.paint.fill.colour == far; };
+    const SprigLayers layers = placed(ball_of_sprigs(), {});
+    EXPECT_TRUE(std::ranges::any_of(instances(layers.behind), is_far));
+    EXPECT_TRUE(std::ranges::none_of(instances(layers.front), is_far));
 }
 
 }  // namespace

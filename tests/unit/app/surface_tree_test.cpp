@@ -7,6 +7,7 @@
 #include "app/frames.h"
 #include "app/obstacle_mesh.h"
 #include "drawing/check.h"
+#include "geometry/bit_raster.h"
 #include "mesh/mesh_check.h"
 #include "style/catalogue.h"
 
@@ -45,6 +46,56 @@ TEST(SurfacePicture, KeepsTheContractAndReportsGrowth) {
     EXPECT_GT(picture.counts.triangles, 0U);
     EXPECT_NEAR(std::max(picture.drawing.width_mm, picture.drawing.height_mm), 60, 0.02);
     EXPECT_EQ(picture.steps.front().name, "grow");
+}
+
+const Layer& layer_of(const Drawing& drawing, const std::string& label) {
+    return *std::ranges::find(drawing.layers, label, &Layer::label);
+}
+
+void fill_wood(const std::vector<Element>& elements, double scale, BitRaster& raster) {
+    for (const Element& element : elements) {
+        if (const auto* group = std::get_if<Group>(&element))
+            fill_wood(group->children, scale, raster);
+        if (const auto* shape = std::get_if<Shape>(&element))
+            raster.fill(shape->path, Affine(scale, 0, 0, scale, 0, 0));
+    }
+}
+
+// Whether there is a sample within `reach` of a point.
+bool is_near(const BitRaster& raster, Vec2 point, int reach) {
+    for (int row = -reach; row <= reach; ++row) {
+        for (int column = -reach; column <= reach; ++column) {
+            const int x = static_cast<int>(point.x) + column, y = static_cast<int>(point.y) + row;
+            if (x >= 0 && y >= 0 && x < raster.columns() && y < raster.rows() && raster.at(x, y))
+                return true;
+        }
+    }
+    return false;
+}
+
+TEST(SurfacePicture, NoStemBeginsBesideTheWood) {
+    Style style = small_tree();
+    style.surface.steps = 40;
+    style.surface.sprig_spacing_mm = 60;
+    style.sprig.energy = 8;
+    style.leaf.shape = "round";
+    const Picture picture = draw_picture(style, load);
+    constexpr double kScale = 10;  // samples a mm
+    BitRaster wood(600, 600);
+    fill_wood(layer_of(picture.drawing, "Tree").children, kScale, wood);
+    std::size_t feet = 0;
+    for (const char* label : {"Sprigs", "Sprigs behind"}) {
+        for (const Element& element : layer_of(picture.drawing, label).children) {
+            const Group& group = std::get<Group>(element);
+            if (!group.id.ends_with("stems")) continue;
+            for (const Element& stem : group.children) {
+                const Vec2 foot = std::get<Use>(stem).page_from_symbol[2];
+                EXPECT_TRUE(is_near(wood, foot * kScale, 3)) << foot.x << ' ' << foot.y;
+                ++feet;
+            }
+        }
+    }
+    EXPECT_GT(feet, 20U);
 }
 
 TEST(SurfacePicture, HasItsBarkOverItsWood) {
