@@ -9,6 +9,8 @@ std::vector<Colour> tones_of(const Palette& p, const Material& material) {
     if (material.name == "blossom") return {p.blossom_shade, p.blossom, p.blossom_light};
     if (material.name == "fruit") return {p.fruit_shade, p.fruit, p.fruit_light};
     if (material.name == "xylem") return {p.mark, mixed(p.mark, p.wood_shade, 0.5), p.wood_shade};
+    if (material.name == "deadwood")
+        return {p.wood_back, mixed(p.wood_back, p.paper, 0.4), mixed(p.wood_back, p.paper, 0.75)};
     if (material.name == "obstacle") return {p.fruit_shade, p.fruit, p.fruit_light};
     if (!material.colour) return {p.wood_shade, p.wood, p.wood_light};
     constexpr Colour kBlack{0, 0, 0}, kWhite{255, 255, 255};

@@ -46,6 +46,8 @@ struct Sprig {
     double depth = 0;
 };
 
+using SprigsOfClumps = std::vector<std::vector<const Sprig*>>;
+
 Paint filled(Colour colour) {
     Paint paint;
     paint.fill = colour;
@@ -69,18 +71,16 @@ class SprigPlacer {
             sprigs_.push_back(sprig(i));
     }
 
-    void fill(Layer& layer, bool behind) const {
-        std::vector<std::vector<const Sprig*>> clumps(clumps_.middles.size());
-        for (std::size_t i = 0; i < sprigs_.size(); ++i) {
-            if (sprigs_[i].behind == behind) clumps[clumps_.of_point[i]].push_back(&sprigs_[i]);
-        }
-        for (std::vector<const Sprig*>& clump : clumps)
-            std::ranges::stable_sort(clump, {}, &Sprig::depth);
+    SprigLayers run() const {
+        SprigLayers layers;
         const std::vector<std::uint32_t> order = far_and_high_first();
-        add_stems(layer, clumps, order);
-        for (const std::uint32_t c : order) {
-            if (!clumps[c].empty()) layer.children.emplace_back(leaves(layer.id(), c, clumps[c]));
-        }
+        const SprigsOfClumps behind = by_clump(true), front = by_clump(false);
+        add_stems(layers.behind, ".far-stems", inks_.far_stem, behind, order);
+        add_leaves(layers.behind, behind, order);
+        add_stems(layers.behind, ".stems", inks_.stem, front, order);
+        add_leaves(layers.front, front, order);
+        layers.count = sprigs_.size();
+        return layers;
     }
 
   private:
@@ -161,18 +161,31 @@ class SprigPlacer {
         return order;
     }
 
-    void add_stems(Layer& layer, const std::vector<std::vector<const Sprig*>>& clumps,
-                   const std::vector<std::uint32_t>& order) const {
-        Group far{layer.id() + ".far-stems", filled(inks_.far_stem), {}};
-        Group near{layer.id() + ".stems", filled(inks_.stem), {}};
-        for (const std::uint32_t c : order) {
-            for (const Sprig* sprig : clumps[c]) {
-                const bool is_far = sprig->tone <= SprigTone::far;
-                (is_far ? far : near).children.emplace_back(use(*sprig, SprigPart::stem));
-            }
+    // The far ones of a clump first.
+    SprigsOfClumps by_clump(bool behind) const {
+        SprigsOfClumps clumps(clumps_.middles.size());
+        for (std::size_t i = 0; i < sprigs_.size(); ++i) {
+            if (sprigs_[i].behind == behind) clumps[clumps_.of_point[i]].push_back(&sprigs_[i]);
         }
-        for (Group* group : {&far, &near}) {
-            if (!group->children.empty()) layer.children.emplace_back(std::move(*group));
+        for (std::vector<const Sprig*>& clump : clumps)
+            std::ranges::stable_sort(clump, {}, &Sprig::depth);
+        return clumps;
+    }
+
+    void add_stems(Layer& layer, const char* id, Colour colour, const SprigsOfClumps& clumps,
+                   const std::vector<std::uint32_t>& order) const {
+        Group group{layer.id() + id, filled(colour), {}};
+        for (const std::uint32_t c : order) {
+            for (const Sprig* sprig : clumps[c])
+                group.children.emplace_back(use(*sprig, SprigPart::stem));
+        }
+        if (!group.children.empty()) layer.children.emplace_back(std::move(group));
+    }
+
+    void add_leaves(Layer& layer, const SprigsOfClumps& clumps,
+                    const std::vector<std::uint32_t>& order) const {
+        for (const std::uint32_t c : order) {
+            if (!clumps[c].empty()) layer.children.emplace_back(leaves(layer.id(), c, clumps[c]));
         }
     }
 
@@ -218,12 +231,7 @@ class SprigPlacer {
 SprigLayers place_sprigs(std::span<const SprigPlace> places, const SprigSymbols& symbols,
                          const SprigParams& params, const SprigInks& inks, const dvec3& to_light,
                          const KeyedRandom& random) {
-    SprigLayers layers;
-    const SprigPlacer placer(places, symbols, params, inks, to_light, random);
-    placer.fill(layers.behind, true);
-    placer.fill(layers.front, false);
-    layers.count = places.size();
-    return layers;
+    return SprigPlacer(places, symbols, params, inks, to_light, random).run();
 }
 
 }  // namespace edaha

@@ -56,11 +56,11 @@ struct SprigLayers {
     std::size_t count = 0;
 };
 
-// Instances of sprigs on their places, those that leave the wood on its far side on the layer
-// behind. Each layer has all stems first, so that none begins on top of leaves: a foot stands on
-// wood, or behind it. Then a group a clump (sprig_clumps.h), the far and high ones first, and in it
-// a group a tone and part. Sprigs turn outwards from their clump's middle and are smaller at its
-// rim, so that it is a rounded mass; `to_light` shines on that mass and on the whole crown. They
+// Instances of sprigs on their places: leaves of those that leave the wood on its far side, and all
+// stems, on the layer behind the wood. So each stem comes out from behind the wood that its foot
+// stands on. Leaves are a group a clump (sprig_clumps.h), the far and high ones first, and in it a
+// group a tone. Sprigs turn outwards from their clump's middle and are smaller at its rim, so that
+// it is a rounded mass; `to_light` shines on that mass and on the whole crown. They
 // are foreshortened by less than they are seen to be, so that none is a mere line; the
 // mirror image of a sprig counts as another. O(n clumps). All ours [E].
 SprigLayers place_sprigs(std::span<const SprigPlace> places, const SprigSymbols& symbols,

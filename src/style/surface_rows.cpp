@@ -152,6 +152,7 @@ std::vector<Parameter> surface_rows() {
         "between those places", {100, 1000}});
     rows.add(&P::sprig_reach_mm, {"sprig-reach", mm(0, kFar), kOurs,
         "those places lie so near to the tip of their branch", {500, 5000}});
+    rows.add(&P::deadwood, {"deadwood", kOurs, "branches that the rules stop are bare and grey"});
     rows.add(&P::face_limit, {"face-limit", {100, 1e8}, kOurs,
         "a tree of more triangles is refused"});
     // clang-format on

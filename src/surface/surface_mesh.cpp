@@ -18,8 +18,11 @@ namespace edaha {
 
 namespace {
 
-constexpr std::uint32_t kWood = 0, kXylem = 1;
+constexpr std::uint32_t kWood = 0, kXylem = 1, kDeadwood = 2;
 constexpr std::size_t kFewVertices = 500;  // below: one thread
+// Sprigs in a spacing's length of a twig, for each vertex round it: less leaves spikes bare, more
+// makes brushes of them.
+constexpr double kOnTwigs = 0.35;
 
 class SurfaceMesher {
   public:
@@ -45,6 +48,7 @@ class SurfaceMesher {
             result_.points.push_back(mesh_.position[v]);
         }
         result_.materials = {{"wood", std::nullopt}, {"xylem", std::nullopt}};
+        if (params_.deadwood) result_.materials.push_back({"deadwood", std::nullopt});
     }
 
     // Buds that still wait make no part; the rest keep the numbers that they will always have.
@@ -59,7 +63,8 @@ class SurfaceMesher {
             if (apices_[b].parent >= 0)
                 part.parent = static_cast<std::int32_t>(
                     part_of_branch_[static_cast<std::size_t>(apices_[b].parent)]);
-            part.material = kWood;
+            const bool dead = params_.deadwood && apices_[b].state.stopped;
+            part.material = dead ? kDeadwood : kWood;
             result_.parts.push_back(part);
         }
         xylem_of_branch_.assign(apices_.size(), kNone);
@@ -169,13 +174,23 @@ class SurfaceMesher {
             }
         }
         const std::vector<Vec3> normals = vertex_normals(mesh_, face_normals(mesh_));
-        const double square = params_.sprig_spacing_mm * params_.sprig_spacing_mm;
         for (std::uint32_t v = 0; v < mesh_.position.size(); ++v) {
-            if (face_of[v] == kNone || mesh_.tissue[v] != Tissue::cambium) continue;
+            if (face_of[v] == kNone || mesh_.tissue[v] == Tissue::xylem) continue;
             const Key key = step(step(name_key("sprig"), mesh_.branch[v]), v);
-            if (random_.uniform(key, surface::kSprig) * square >= areas[v]) continue;
-            add_site(v, face_of[v], normals[v]);
+            const double share = mesh_.tissue[v] == Tissue::apex ? 1 : share_of_sprigs(v, areas[v]);
+            if (random_.uniform(key, surface::kSprig) < share) add_site(v, face_of[v], normals[v]);
         }
+    }
+
+    // By its area; on thin twigs, which have little of that, by its edges' length.
+    double share_of_sprigs(std::uint32_t v, double area) const {
+        double length = 0, edges = 0;
+        mesh_.for_each_out(v, [&](std::uint32_t h) {
+            length += glm::distance(mesh_.position[v], mesh_.position[mesh_.target(h)]);
+            ++edges;
+        });
+        const double spacing = params_.sprig_spacing_mm;
+        return std::max(area / (spacing * spacing), kOnTwigs * length / (edges * spacing));
     }
 
     void add_site(std::uint32_t v, std::uint32_t face, const Vec3& normal) {
@@ -187,8 +202,10 @@ class SurfaceMesher {
         const Vec3 direction = normal + place.heading;
         const double length = glm::length(direction);
         if (length < 1e-6) return;
-        result_.sites.push_back({mesh_.position[v], direction / length, params_.sprig_mm,
-                                 part_of_branch_[mesh_.branch[v]]});
+        // A tip is finer than a stem, which begins within the wood there.
+        const double back = mesh_.tissue[v] == Tissue::apex ? params_.split_mm / 2 : 0;
+        result_.sites.push_back({mesh_.position[v] - place.heading * back, direction / length,
+                                 params_.sprig_mm, part_of_branch_[mesh_.branch[v]]});
     }
 
     const GrowingMesh& mesh_;

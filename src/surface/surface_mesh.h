@@ -18,8 +18,9 @@ namespace edaha {
 // (u, v) in mm: v along the way of the branch's apex, u the angle about that way times the mean
 // radius of the branch, less the winding, so that lines of constant u are lines of phloem. (A
 // radius that follows the taper would shear them [E].) Corners of a face lie together: across the
-// seam a point has two u. Places for twigs are on random cambium near growing tips, one in
-// sprig_spacing_mm squared on average, between outwards and forwards (5.3) [E].
+// seam a point has two u. Places for twigs are growing tips, and random cambium near them: one in
+// sprig_spacing_mm squared on average, between outwards and forwards (5.3) [E]. Branches that a
+// rule has stopped are of the material "deadwood" if asked [E].
 // O(faces + vertices x steps).
 Mesh surface_mesh(const GrowingMesh& mesh, std::span<const Apex> apices,
                   const SurfaceParams& params, const KeyedRandom& random);

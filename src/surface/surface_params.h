@@ -66,6 +66,7 @@ struct SurfaceParams {
     double sprig_mm = 300;           // size of the places for twigs [E]
     double sprig_spacing_mm = 200;   // [E]
     double sprig_reach_mm = 1500;    // of places for twigs from their apex [E]
+    bool deadwood = false;           // branches that the rules stop are bare and grey [E]
     std::int64_t face_limit = 2'000'000;
     std::vector<BurlPlace> burls;
     std::vector<SolidParams> hollows;

@@ -58,3 +58,40 @@ TEST(SurfaceMesh, PlacesPointsAlongAndAroundTheTrunk) {
         for (std::size_t k = 1; k < 3; ++k)
             EXPECT_LT(std::abs(uv[k].x - uv[0].x), most);
 }
+
+// Thin twigs have little area: their length sees to it that none is bare.
+TEST(SurfaceMesh, EachGrowingTipBearsASprig) {
+    SurfaceParams params = forked_tree(80);
+    params.sprig_spacing_mm = 1000;
+    const SurfaceTree tree = grow_surface(params, KeyedRandom(1, 1, 1));
+    for (std::uint32_t part = 0; part < 2; ++part) {
+        Vec3 tip(0);
+        for (std::size_t t = 0; t < tree.mesh.triangles.size(); ++t) {
+            if (tree.mesh.part_of[t] != part) continue;
+            for (const std::uint32_t point : tree.mesh.triangles[t])
+                if (tree.mesh.points[point].y > tip.y) tip = tree.mesh.points[point];
+        }
+        EXPECT_TRUE(std::ranges::any_of(tree.mesh.sites, [&](const SprigSite& site) {
+            return site.part == part && glm::distance(site.position, tip) < params.split_mm;
+        })) << part;
+    }
+}
+
+TEST(SurfaceMesh, WhatTheRulesStopIsDeadwoodWithoutSprigs) {
+    SurfaceParams params = forked_tree(80);
+    params.sprig_spacing_mm = 50;
+    params.rules =
+        "axiom: A(0)\nA(t) : t == 30 -> bud(60, 0, 5)[speed(40) B(0)] A(t + 1)\n"
+        "A(t) -> A(t + 1)\nB(t) : t > 20 -> stop\nB(t) -> B(t + 1)\n";
+    const auto material = [&](const Mesh& mesh) {
+        return mesh.materials[mesh.parts[1].material].name;
+    };
+    EXPECT_EQ(material(grow_surface(params, KeyedRandom(1, 1, 1)).mesh), "wood");
+    params.deadwood = true;
+    const Mesh mesh = grow_surface(params, KeyedRandom(1, 1, 1)).mesh;
+    EXPECT_EQ(material(mesh), "deadwood");
+    EXPECT_EQ(mesh.materials[mesh.parts[0].material].name, "wood");
+    EXPECT_GT(mesh.sites.size(), 10U);
+    EXPECT_TRUE(
+        std::ranges::none_of(mesh.sites, [](const SprigSite& site) { return site.part == 1; }));
+}
