@@ -28,10 +28,11 @@ constexpr double kTurnRad = 0.35;
 
 // Sprigs at a clump's rim are smaller by this part: none leaves ragged edges, more bald ones.
 constexpr double kRimLoss = 0.4;
+constexpr double kLeastAtRim = 0.45;
 
 // What is farther back than this part of the crown's depth fades: more would be flat patches
 // amid the crown, less leaves no depth.
-constexpr double kFar = 0.22;
+constexpr double kFar = 0.28;
 
 constexpr std::array<const char*, kSprigTones> kToneNames{"far-shade", "far", "shade", "mid",
                                                           "light"};
@@ -115,8 +116,10 @@ class SprigPlacer {
         const dvec3 direction = turned / std::max(glm::length(turned), 1e-6);
         const dvec3 middle = place.foot + direction * (place.size_mm / 2);
         Sprig sprig;
+        const double off = glm::distance(place.foot, clumps_.middles[clump]) /
+                           std::max(clumps_.radii[clump], 1e-6);
         sprig.page_from_symbol =
-            map_of(place, direction, 1 - kRimLoss * glm::dot(outwards, outwards));
+            map_of(place, direction, std::max(kLeastAtRim, 1 - kRimLoss * off * off));
         const double draw = random_.uniform(place.key, kVariant) * symbols_.variants;
         sprig.variant = std::min(static_cast<std::uint32_t>(draw), symbols_.variants - 1);
         const double depth = (middle.z - crown_.middles[0].z) / reach_;
@@ -147,8 +150,8 @@ class SprigPlacer {
                        0.1 * around(place.key, kSprigTone);
         if (behind && depth < -kFar) return light < 0 ? SprigTone::far_shade : SprigTone::far;
         if (behind) light -= 0.4;  // in the shade of the boughs
-        if (light > 0.32) return SprigTone::light;
-        return light < -0.05 ? SprigTone::shade : SprigTone::mid;
+        if (light > 0.4) return SprigTone::light;
+        return light < -0.02 ? SprigTone::shade : SprigTone::mid;
     }
 
     // The lit top of each lies over the shade of the one above it, as clouds do.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/flat_inks.h"
 #include "app/frames.h"
 #include "app/obstacle_mesh.h"
 #include "drawing/check.h"
@@ -94,6 +95,18 @@ TEST(SurfacePicture, NoStemBeginsBesideTheWood) {
         }
     }
     EXPECT_GT(feet, 20U);
+}
+
+TEST(SurfacePicture, DeadwoodIsGreyerThanWoodButOfThePaletteIfThatIsStrict) {
+    const auto hue = [](Colour c) { return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}); };
+    Palette palette;
+    palette.wood_light = {0xc7, 0x9f, 0x80};
+    const std::vector<Material> materials{{"wood", {}}, {"deadwood", {}}};
+    const auto tones = flat_inks(palette, materials).tones;
+    EXPECT_LT(2 * hue(tones[1][1]), hue(palette.wood_light));
+    palette.strict = true;
+    const std::vector<Colour> strict = flat_inks(palette, materials).tones[1];
+    EXPECT_EQ(strict, (std::vector{palette.wood, palette.wood_light, palette.paper}));
 }
 
 TEST(SurfacePicture, HasItsBarkOverItsWood) {
