@@ -76,9 +76,10 @@ class SprigPlacer {
         SprigLayers layers;
         const std::vector<std::uint32_t> order = far_and_high_first();
         const SprigsOfClumps behind = by_clump(true), front = by_clump(false);
-        add_stems(layers.behind, ".far-stems", inks_.far_stem, behind, order);
+        add_stems(layers.behind, {".far-stems", inks_.far_stem, true}, behind, order);
+        add_stems(layers.behind, {".back-stems", inks_.stem, false}, behind, order);
         add_leaves(layers.behind, behind, order);
-        add_stems(layers.behind, ".stems", inks_.stem, front, order);
+        add_stems(layers.behind, {".stems", inks_.stem, false}, front, order);
         add_leaves(layers.front, front, order);
         layers.count = sprigs_.size();
         return layers;
@@ -106,6 +107,12 @@ class SprigPlacer {
     static dvec3 place_in(const Clumps& clumps, std::uint32_t c, const dvec3& point) {
         const dvec3 off = (point - clumps.middles[c]) / std::max(clumps.radii[c], 1e-6);
         return off / std::max(glm::length(off), 1.0);
+    }
+
+    // The side of a mass that is seen there, whatever lies within.
+    static dvec3 dome(const dvec3& place) {
+        const double height = 1 - place.x * place.x - place.y * place.y;
+        return {place.x, place.y, std::sqrt(std::max(height, 0.0))};
     }
 
     Sprig sprig(std::size_t i) const {
@@ -145,13 +152,13 @@ class SprigPlacer {
 
     SprigTone tone_of(const SprigPlace& place, std::uint32_t clump, const dvec3& middle,
                       double depth, bool behind) const {
-        double light = 0.75 * glm::dot(place_in(clumps_, clump, middle), to_light_) +
-                       0.35 * glm::dot(place_in(crown_, 0, middle), to_light_) +
+        double light = 0.75 * glm::dot(dome(place_in(clumps_, clump, middle)), to_light_) +
+                       0.35 * glm::dot(dome(place_in(crown_, 0, middle)), to_light_) +
                        0.1 * around(place.key, kSprigTone);
-        if (behind && depth < -kFar) return light < 0 ? SprigTone::far_shade : SprigTone::far;
+        if (behind && depth < -kFar) return light < 0.3 ? SprigTone::far_shade : SprigTone::far;
         if (behind) light -= 0.4;  // in the shade of the boughs
-        if (light > 0.4) return SprigTone::light;
-        return light < -0.02 ? SprigTone::shade : SprigTone::mid;
+        if (light > 0.55) return SprigTone::light;
+        return light < 0.22 ? SprigTone::shade : SprigTone::mid;
     }
 
     // The lit top of each lies over the shade of the one above it, as clouds do.
@@ -175,12 +182,20 @@ class SprigPlacer {
         return clumps;
     }
 
-    void add_stems(Layer& layer, const char* id, Colour colour, const SprigsOfClumps& clumps,
+    struct Stems {
+        const char* id;
+        Colour colour;
+        bool far;
+    };
+
+    void add_stems(Layer& layer, const Stems& stems, const SprigsOfClumps& clumps,
                    const std::vector<std::uint32_t>& order) const {
-        Group group{layer.id() + id, filled(colour), {}};
+        Group group{layer.id() + stems.id, filled(stems.colour), {}};
         for (const std::uint32_t c : order) {
-            for (const Sprig* sprig : clumps[c])
-                group.children.emplace_back(use(*sprig, SprigPart::stem));
+            for (const Sprig* sprig : clumps[c]) {
+                if ((sprig->tone <= SprigTone::far) == stems.far)
+                    group.children.emplace_back(use(*sprig, SprigPart::stem));
+            }
         }
         if (!group.children.empty()) layer.children.emplace_back(std::move(group));
     }
