@@ -28,7 +28,7 @@ constexpr double kTurnRad = 0.35;
 
 // Sprigs at a clump's rim are smaller by this part: none leaves ragged edges, more bald ones.
 constexpr double kRimLoss = 0.4;
-constexpr double kLeastAtRim = 0.45;
+constexpr double kLeastAtRim = 0.45;  // of its size: less are specks
 
 // What is farther back than this part of the crown's depth fades: more would be flat patches
 // amid the crown, less leaves no depth.
