@@ -30,8 +30,8 @@ constexpr double kTurnRad = 0.35;
 constexpr double kRimLoss = 0.4;
 constexpr double kLeastAtRim = 0.45;  // of its size: less are specks
 
-// What is farther back than this part of the crown's depth fades: more would be flat patches
-// amid the crown, less leaves no depth.
+// What is farther back than this part of the crown's depth fades: a smaller one makes flat patches
+// amid the crown, a larger one leaves no depth.
 constexpr double kFar = 0.28;
 
 constexpr std::array<const char*, kSprigTones> kToneNames{"far-shade", "far", "shade", "mid",
