@@ -45,16 +45,15 @@ std::vector<Value> gather_chunks(std::size_t count, std::size_t least, const Bod
     return all;
 }
 
-// The same for many short steps.
+// The same for many short steps, so many at a time.
 template <typename Value, typename Body>
-std::vector<Value> gather(std::size_t count, const Body& body) {
-    constexpr std::size_t kChunk = 4096;
-    const auto chunk = [&](std::size_t i, std::vector<Value>& found) {
-        const std::size_t end = std::min(count, (i + 1) * kChunk);
-        for (std::size_t k = i * kChunk; k < end; ++k)
+std::vector<Value> gather(std::size_t count, const Body& body, std::size_t chunk = 4096) {
+    const auto some = [&](std::size_t i, std::vector<Value>& found) {
+        const std::size_t end = std::min(count, (i + 1) * chunk);
+        for (std::size_t k = i * chunk; k < end; ++k)
             body(k, found);
     };
-    return gather_chunks<Value>((count + kChunk - 1) / kChunk, 2, chunk);
+    return gather_chunks<Value>((count + chunk - 1) / chunk, 2, some);
 }
 
 // Sorts by several threads if there is much to sort. `less` leaves no two items undecided that

@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.h"
+#include "surface/crossings.h"
 
 namespace edaha {
 namespace {
@@ -20,14 +21,6 @@ namespace {
 constexpr double kInwards = 0.3;
 
 using Cycle = std::array<std::uint32_t, 3>;
-
-std::uint32_t half_edge(const GrowingMesh& mesh, std::uint32_t a, std::uint32_t b) {
-    std::uint32_t found = kNone;
-    mesh.for_each_out(a, [&](std::uint32_t h) {
-        if (mesh.target(h) == b) found = h;
-    });
-    return found;
-}
 
 // The sum of the normals of the faces round v, by their areas, normalised.
 Vec3 normal_at(const GrowingMesh& mesh, std::uint32_t v) {
@@ -63,15 +56,27 @@ bool may_double(const GrowingMesh& mesh, std::uint32_t v) {
 std::optional<Cycle> channel_at(const GrowingMesh& mesh, std::uint32_t h) {
     const std::uint32_t a = mesh.origin[h], b = mesh.target(h);
     if (!may_double(mesh, a) || !may_double(mesh, b)) return std::nullopt;
+    std::array<std::uint32_t, 32> from_a{};  // half-edges; vertices with more have no channel
+    std::size_t count = 0;
+    mesh.for_each_out(a, [&](std::uint32_t g) {
+        if (count < from_a.size()) from_a[count] = g;
+        ++count;
+    });
+    if (count > from_a.size()) return std::nullopt;
+    const auto to_a = [&](std::uint32_t c) {
+        for (std::size_t k = 0; k < count; ++k)
+            if (mesh.target(from_a[k]) == c) return mesh.twin[from_a[k]];
+        return kNone;
+    };
     std::optional<Cycle> best;
     double least = std::numeric_limits<double>::infinity();
     mesh.for_each_out(b, [&](std::uint32_t g) {
         const std::uint32_t c = mesh.target(g);
-        if (c == a || !may_double(mesh, c) || g == GrowingMesh::next(h) ||
+        if (c == a || g == GrowingMesh::next(h) ||
             mesh.twin[g] == GrowingMesh::previous(mesh.twin[h]))
             return;
-        const std::uint32_t i = half_edge(mesh, c, a);
-        if (i == kNone) return;
+        const std::uint32_t i = to_a(c);
+        if (i == kNone || !may_double(mesh, c)) return;
         const double round = glm::distance(mesh.position[b], mesh.position[c]) +
                              glm::distance(mesh.position[c], mesh.position[a]);
         if (round >= least || !is_round_air(mesh, {a, b, c})) return;
@@ -154,6 +159,17 @@ bool remove_bubble(GrowingMesh& mesh, std::uint32_t f, std::size_t most) {
     return true;
 }
 
+// Whether the lid of a cut there would pass through a face. Lids of cuts just made are not in the
+// grid; those lie further off, or share an edge with it.
+bool is_blocked(const GrowingMesh& mesh, const FaceGrid& grid, const Cycle& cycle) {
+    const Corners lid{mesh.position[mesh.origin[cycle[0]]], mesh.position[mesh.origin[cycle[1]]],
+                      mesh.position[mesh.origin[cycle[2]]]};
+    return crosses_any(grid, lid, [&](std::uint32_t f) -> std::optional<Corners> {
+        if (!mesh.is_face(f)) return {};
+        return corners_of(mesh, f);
+    });
+}
+
 struct NarrowEdge {
     double length2;
     std::uint32_t h;
@@ -212,7 +228,7 @@ Channels close_channels(GrowingMesh& mesh, const ChannelParams& params) {
     for (const NarrowEdge& edge : narrow_edges(mesh, params.narrow_mm)) {
         if (mesh.origin[edge.h] == kNone) continue;
         const auto cycle = channel_at(mesh, edge.h);
-        if (!cycle) continue;
+        if (!cycle || (params.grid && is_blocked(mesh, *params.grid, *cycle))) continue;
         const std::uint32_t twin = cut_cycle(mesh, (*cycle)[0], (*cycle)[1], (*cycle)[2]);
         ++channels.cut;
         const std::uint32_t left = mesh.twin[edge.h] / 3, right = mesh.out[twin] / 3;

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "surface/close_faces.h"
 #include "surface/face_grid.h"
 #include "surface/growing_mesh.h"
 
@@ -19,44 +19,52 @@ struct FacingPair {
     double time = 0;      // when they would be `near_mm` apart, in moves; 0 if they are
 };
 
-// Which vertices look ahead, and how far.
 struct FacingParams {
     double near_mm = 35;
-    double cell_mm = 150;                          // about as long as edges
-    std::span<const std::uint32_t> suspects = {};  // vertices whose faces are watched, too
+    RestParams rest = {};
 };
 
-// Of each apex and cambium vertex (section 5.3) the faces in front of it that it comes nearer to
-// than `near_mm` by this step's `moves`: the normals opposed, each before the other, no corner of
-// the face within two edges of the vertex [E]. Sorted by vertices, then faces.
+// What may meet within a step.
 struct Facing {
+    // Of each apex and cambium vertex (section 5.3) the faces in front of it that it comes nearer
+    // to than `near_mm` by this step's growth: the normals opposed, each before the other, no
+    // corner of the face within two edges of the vertex [E]. Sorted by vertices, then faces.
     std::vector<FacingPair> pairs;
-    // Faces round apices and xylem, round pairs, at sharp folds, round suspects: those that may
-    // pass through others.
-    std::vector<std::uint32_t> watched;
-    std::optional<FaceGrid> grid;  // of the mesh as it was
+    std::vector<std::uint8_t> rest;  // a vertex: for so many steps it can't be in any, more or less
 };
 
-// Parallel; O(faces).
+// Ends the rest of vertices before which one of the apices is, or will be within the step, nearer
+// than `near_mm`: those it grazes look at it, not it at them. Parallel; O(apices).
+void wake_before(GrowingMesh& mesh, std::span<const Vec3> normals, const Ways& ways,
+                 const FaceGrid& grid, std::span<const std::uint32_t> apices, double near_mm);
+
+// Vertices that rest are in no pair. `grid` is of the ways of all faces.
+// Parallel; O(vertices).
 Facing facing_pairs(const GrowingMesh& mesh, std::span<const Vec3> of_faces,
-                    std::span<const Vec3> normals, std::span<const Vec3> moves,
+                    std::span<const Vec3> normals, const Ways& ways, const FaceGrid& grid,
                     const FacingParams& params);
 
+// A face: whether it may pass through others: near an apex, xylem or a pair, at a sharp fold or
+// near a suspect. Parallel; O(edges).
+std::vector<std::uint8_t> watched_faces(const GrowingMesh& mesh, std::span<const Vec3> of_faces,
+                                        std::span<const FacingPair> pairs,
+                                        std::span<const std::uint32_t> suspects);
+
 struct ApartParams {
-    double least_mm = 17;   // of pairs
-    double cell_mm = 150;   // about as long as edges
-    double retreat_mm = 2;  // of faces that pass through each other
+    double least_mm = 17;                    // of pairs
+    double retreat_mm = 2;                   // of faces that pass through each other
+    std::span<const FacePair> closest = {};  // faces that may pass through each other
+    // Vertices that have drawn back within the step, and so left their ways.
+    std::span<const std::uint32_t> off_their_ways = {};
 };
 
-// Shortens moves, or parts of them, so that no pair comes nearer than `least_mm`, and that no
-// watched face begins to pass through any other; those that do so already draw back against their
-// normals [E]. The mesh hangs together as it did when the pairs were found. Returns the vertices
-// that drew back: suspects of the next step. O(faces + pairs).
+// Shortens moves, parts of the ways that `facing` was found for, so that no pair comes nearer than
+// `least_mm`, and that no two close faces begin to pass through each other; those that do so
+// already draw back against their normals [E]. The mesh hangs together as it did when the pairs
+// were found. Returns the vertices that drew back, sorted. O(pairs).
 std::vector<std::uint32_t> keep_apart(const GrowingMesh& mesh, const Facing& facing,
-                                      std::span<const Vec3> normals, const ApartParams& params,
-                                      std::vector<Vec3>& moves);
-
-Vec3 nearest_point(const std::array<Vec3, 3>& triangle, const Vec3& p);
+                                      std::span<const Vec3> normals, const FaceGrid& grid,
+                                      const ApartParams& params, std::vector<Vec3>& moves);
 
 // Whether v can be reached from `from` along at most two edges.
 bool within_two_rings(const GrowingMesh& mesh, std::uint32_t from, std::uint32_t v);

@@ -70,13 +70,36 @@ double mean_extent(const GrowingMesh& mesh) {
 
 }  // namespace
 
+// Most pairs are told apart by one plane without its tolerance, which takes as long again.
 bool triangles_cross(const Corners& s, const Corners& t) {
-    const double size = size_of(s, t), least = kTouching * size * size * size;
     const std::array<double, 3> of_s = sides(s, t);
-    if (on_one_side(of_s, least)) return false;
+    if (on_one_side(of_s, 0)) return false;
     const std::array<double, 3> of_t = sides(t, s);
-    if (on_one_side(of_t, least)) return false;
+    if (on_one_side(of_t, 0)) return false;
+    const double size = size_of(s, t), least = kTouching * size * size * size;
+    if (on_one_side(of_s, least) || on_one_side(of_t, least)) return false;
     return pierces(s, t, of_s, least) || pierces(t, s, of_t, least);
+}
+
+// By the region of the plane that p lies in: beside which corner or edge, or over the inside.
+Vec3 nearest_point(const Corners& triangle, const Vec3& p) {
+    const auto& [a, b, c] = triangle;
+    const Vec3 square = glm::cross(b - a, c - a);
+    const double area = glm::dot(square, square);
+    const auto inside = [&](const Vec3& from, const Vec3& to) {
+        return glm::dot(glm::cross(to - from, p - from), square) >= 0;
+    };
+    if (area > 0 && inside(a, b) && inside(b, c) && inside(c, a))
+        return p - square * (glm::dot(p - a, square) / area);
+    Vec3 best = a;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 &from = triangle[i], along = triangle[(i + 1) % 3] - from;
+        const double length2 = glm::dot(along, along);
+        const double t = length2 > 0 ? glm::dot(p - from, along) / length2 : 0;
+        const Vec3 near = from + along * std::clamp(t, 0.0, 1.0);
+        if (glm::dot(near - p, near - p) < glm::dot(best - p, best - p)) best = near;
+    }
+    return best;
 }
 
 Corners corners_of(const GrowingMesh& mesh, std::uint32_t f) {

@@ -5,8 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include <glm/common.hpp>
-
 #include "surface/face_grid.h"
 #include "surface/growing_mesh.h"
 
@@ -19,6 +17,9 @@ using Corners = std::array<Vec3, 3>;
 // flat ones that lie on each other: all that is within 1e-9 of their size. Symmetric.
 bool triangles_cross(const Corners& s, const Corners& t);
 
+// Of a triangle, to p.
+Vec3 nearest_point(const Corners& triangle, const Vec3& p);
+
 // The pairs of faces that pass through each other, each once, sorted. Of two with a common point
 // only what they have in common besides it counts. Parallel; about O(faces).
 std::vector<std::array<std::uint32_t, 2>> crossing_faces(const GrowingMesh& mesh);
@@ -26,15 +27,11 @@ std::vector<std::array<std::uint32_t, 2>> crossing_faces(const GrowingMesh& mesh
 Corners corners_of(const GrowingMesh& mesh, std::uint32_t f);
 
 // Whether a triangle passes through any face, where corners(f) gives a face's place, or nothing if
-// it does not count. Since the grid was made faces may have moved by `moved_mm`, and others may be
-// in their places.
+// it does not count.
 template <typename CornersOf>
-bool crosses_any(const FaceGrid& grid, const Corners& triangle, double moved_mm,
-                 const CornersOf& corners) {
+bool crosses_any(const FaceGrid& grid, const Corners& triangle, const CornersOf& corners) {
     bool crosses = false;
-    const Vec3 low = glm::min(glm::min(triangle[0], triangle[1]), triangle[2]);
-    const Vec3 high = glm::max(glm::max(triangle[0], triangle[1]), triangle[2]);
-    grid.visit(box_round(low - moved_mm, high + moved_mm), [&](std::uint32_t f) {
+    grid.visit(box_round(triangle[0], triangle[1], triangle[2]), [&](std::uint32_t f) {
         if (crosses) return;
         const std::optional<Corners> other = corners(f);
         crosses = other && triangles_cross(triangle, *other);

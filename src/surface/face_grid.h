@@ -2,7 +2,6 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,66 +11,84 @@
 
 namespace edaha {
 
-// Round a face, in single precision and a little wider than it.
+// Round a face, in single precision and a little wider than it. Of four numbers a corner, the last
+// 0, so that the hot tests below become a few vector instructions.
 struct FaceBox {
-    std::array<float, 3> low{1, 1, 1}, high{-1, -1, -1};  // empty
+    std::array<float, 4> low{1, 1, 1, 0}, high{-1, -1, -1, 0};  // empty
 
     bool empty() const { return low[0] > high[0]; }
-
     bool meets(const FaceBox& other) const {
-        bool meets = true;
-        for (std::size_t k = 0; k < 3; ++k)
-            meets = meets && low[k] <= other.high[k] && other.low[k] <= high[k];
-        return meets;
+        int apart = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            apart |= int(low[k] > other.high[k]) | int(other.low[k] > high[k]);
+        return apart == 0;
+    }
+    bool holds(const FaceBox& other) const {
+        int out = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            out |= int(low[k] > other.low[k]) | int(other.high[k] > high[k]);
+        return out == 0;
     }
 };
 
 FaceBox box_round(const Vec3& low, const Vec3& high);
 FaceBox box_round(const Vec3& a, const Vec3& b, const Vec3& c);
 
-// The faces of a mesh in cubic cells of equal size, to be found by where they are. A face is in
-// all cells that its box meets; cells share buckets by a hash. Does not follow the mesh as it
-// changes: made anew each step. O(faces) while faces are no larger than a few cells.
+// Faces in cubic cells of equal size, to be found by where they are. A face is in all cells that
+// its box meets; cells share buckets by a hash. Boxes are kept `slack_mm` wider than they were
+// given, so that faces that creep stay where they are: what is found may be that far off. O(1) a
+// change while faces are no larger than a few cells.
 class FaceGrid {
   public:
-    FaceGrid(const GrowingMesh& mesh, double cell_mm);
-    // Of boxes that faces take up on their way, one a face; empty ones are in no cell.
-    FaceGrid(std::span<const FaceBox> boxes, double cell_mm);
+    FaceGrid(double cell_mm, double slack_mm);
+    FaceGrid(const GrowingMesh& mesh, double cell_mm);  // of all its faces, without slack
 
-    // Calls visit(face) for each face whose box meets this one, in an order that depends on the
-    // mesh alone; those in several cells several times.
+    // A face is in this box from now on; in none if that is empty.
+    void put(std::uint32_t f, const FaceBox& box);
+    // The same of each face by its number; those beyond are in none.
+    void put_all(std::span<const FaceBox> boxes);
+
+    // Faces get these numbers, kNone where they go.
+    void renumber(std::span<const std::uint32_t> number);
+
+    // Calls visit(face) for each face whose box meets this one, once, in an order that depends on
+    // the calls alone that made the grid.
     template <typename Visit>
-    void visit(const FaceBox& box, const Visit& visit) const {
-        visit_of(
-            box, [](std::uint32_t) { return true; }, visit);
-    }
-    // The same, of the buckets that are wanted.
-    template <typename Wants, typename Visit>
-    void visit_of(const FaceBox& box, const Wants& wants, const Visit& visit) const;
-
-    std::span<const std::uint32_t> faces_in(std::size_t bucket) const {
-        return std::span(faces_).subspan(start_[bucket], start_[bucket + 1] - start_[bucket]);
-    }
+    void visit(const FaceBox& box, const Visit& visit) const;
 
     // Each pair of faces whose boxes meet lies in just one bucket.
-    std::size_t buckets() const { return start_.size() - 1; }
+    std::size_t buckets() const { return buckets_.size(); }
     template <typename Visit>
     void visit_pairs(std::size_t bucket, const Visit& visit) const;
 
   private:
     using Cell = std::array<std::int32_t, 3>;
+    struct Entry {
+        FaceBox box;
+        std::uint32_t face;
+    };
 
-    Cell cell_of(const std::array<float, 3>& point) const {
+    Cell cell_of(const std::array<float, 4>& point) const {
         Cell cell{};
-        for (std::size_t k = 0; k < 3; ++k)
-            cell[k] = static_cast<std::int32_t>(std::floor(point[k] * per_mm_));
+        for (std::size_t k = 0; k < 3; ++k) {  // the floor: without a function, as it is a hot spot
+            const float at = point[k] * per_mm_;
+            const auto whole = static_cast<std::int32_t>(at);
+            cell[k] = whole - static_cast<std::int32_t>(at < static_cast<float>(whole));
+        }
         return cell;
     }
-    std::uint32_t bucket_of(const Cell& cell) const {
+    // Both are in the cell of the lowest corner of what they have in common.
+    Cell common_cell(const FaceBox& one, const FaceBox& other) const {
+        std::array<float, 4> corner{};
+        for (std::size_t k = 0; k < 4; ++k)
+            corner[k] = std::max(one.low[k], other.low[k]);
+        return cell_of(corner);
+    }
+    std::size_t bucket_of(const Cell& cell) const {
         std::uint32_t key = static_cast<std::uint32_t>(cell[0]) * 0x9e3779b1U;
         key = (key ^ (key >> 15U)) + static_cast<std::uint32_t>(cell[1]) * 0x85ebca77U;
         key = (key ^ (key >> 13U)) + static_cast<std::uint32_t>(cell[2]) * 0xc2b2ae3dU;
-        return (key ^ (key >> 16U)) & mask_;
+        return (key ^ (key >> 16U)) & (buckets_.size() - 1);
     }
     template <typename Visit>
     void visit_cells(const FaceBox& box, const Visit& visit) const {
@@ -81,38 +98,32 @@ class FaceGrid {
                 for (std::int32_t k = first[2]; k <= last[2]; ++k)
                     visit(Cell{i, j, k});
     }
-    template <typename Visit>
-    void visit_buckets(const FaceBox& box, const Visit& visit) const;
+    bool is_in_place(std::uint32_t f, const FaceBox& box) const;
+    void add(std::uint32_t f);
+    void remove(std::uint32_t f);
+    void make_room(std::size_t faces);
 
-    float per_mm_;
-    std::uint32_t mask_ = 0;
-    std::vector<std::uint32_t> start_;  // a bucket: where its faces begin
-    std::vector<std::uint32_t> faces_;
-    std::vector<FaceBox> boxes_;  // theirs, in the same order
+    float per_mm_, slack_mm_;
+    std::vector<std::vector<Entry>> buckets_;
+    std::vector<FaceBox> boxes_;  // a face, as kept
 };
 
-template <typename Wants, typename Visit>
-void FaceGrid::visit_of(const FaceBox& box, const Wants& wants, const Visit& visit) const {
+template <typename Visit>
+void FaceGrid::visit(const FaceBox& box, const Visit& visit) const {
     visit_cells(box, [&](const Cell& cell) {
-        const std::uint32_t bucket = bucket_of(cell);
-        if (!wants(bucket)) return;
-        for (std::uint32_t i = start_[bucket]; i < start_[bucket + 1]; ++i)
-            if (boxes_[i].meets(box)) visit(faces_[i]);
+        for (const Entry& entry : buckets_[bucket_of(cell)])
+            if (entry.box.meets(box) && common_cell(entry.box, box) == cell) visit(entry.face);
     });
 }
 
 template <typename Visit>
 void FaceGrid::visit_pairs(std::size_t bucket, const Visit& visit) const {
-    for (std::uint32_t i = start_[bucket]; i < start_[bucket + 1]; ++i) {
-        const FaceBox& one = boxes_[i];
-        for (std::uint32_t j = i + 1; j < start_[bucket + 1]; ++j) {
-            const FaceBox& other = boxes_[j];
-            if (!one.meets(other)) continue;
-            // Both are in the cell of the lowest corner of what they have in common.
-            std::array<float, 3> corner{};
-            for (std::size_t k = 0; k < 3; ++k)
-                corner[k] = std::max(one.low[k], other.low[k]);
-            if (bucket_of(cell_of(corner)) == bucket) visit(faces_[i], faces_[j]);
+    const std::vector<Entry>& entries = buckets_[bucket];
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        for (std::size_t j = i + 1; j < entries.size(); ++j) {
+            if (entries[i].box.meets(entries[j].box) &&
+                bucket_of(common_cell(entries[i].box, entries[j].box)) == bucket)
+                visit(entries[i].face, entries[j].face);
         }
     }
 }

@@ -185,7 +185,7 @@ bool is_smooth_tube(const std::vector<Corners>& faces, const Vec3& middle) {
 // Whether a face passes through one that stays: all but those round a and b.
 bool passes_through(const GrowingMesh& mesh, const FaceGrid& grid, const Corners& face,
                     std::uint32_t a, std::uint32_t b) {
-    return crosses_any(grid, face, 0, [&](std::uint32_t f) -> std::optional<Corners> {
+    return crosses_any(grid, face, [&](std::uint32_t f) -> std::optional<Corners> {
         if (!mesh.is_face(f) || mesh.has_corner(f, a) || mesh.has_corner(f, b)) return {};
         return corners_of(mesh, f);
     });
@@ -236,6 +236,7 @@ void add_tube(GrowingMesh& mesh, const std::vector<TubeFace>& faces) {
     std::vector<std::uint32_t> entered, left;
     for (const TubeFace& face : faces) {
         const auto& [a, b, c] = face.corners;
+        mesh.vertex_rest[a] = mesh.vertex_rest[b] = mesh.vertex_rest[c] = 0;
         const std::uint32_t h = 3 * new_face(mesh, a, b, c);
         join_twins(mesh, h, face.outside);
         entered.push_back(face.of_first ? h + 2 : h + 1);

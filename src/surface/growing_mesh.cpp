@@ -56,6 +56,7 @@ void set_face(GrowingMesh& mesh, std::uint32_t f, const Triangle& corners) {
         mesh.origin[3 * f + k] = corners[k];
         mesh.out[corners[k]] = 3 * f + k;
     }
+    mesh.face_rest[f] = 0;
 }
 
 // Takes v out of its phloem line, whose neighbours then hang together.
@@ -119,6 +120,11 @@ void check_links(const GrowingMesh& mesh, std::uint32_t v, std::vector<std::stri
 }
 
 }  // namespace
+
+void sort_once(std::vector<std::uint32_t>& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
 
 GrowingMesh growing_mesh(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
     GrowingMesh mesh;
@@ -239,6 +245,15 @@ void flip_edge(GrowingMesh& mesh, std::uint32_t h) {
     join_twins(mesh, g2, b_c);
 }
 
+std::vector<std::uint32_t> faces_round(const GrowingMesh& mesh,
+                                       std::span<const std::uint32_t> vertices) {
+    std::vector<std::uint32_t> faces;
+    for (const std::uint32_t v : vertices)
+        mesh.for_each_out(v, [&](std::uint32_t h) { faces.push_back(h / 3); });
+    sort_once(faces);
+    return faces;
+}
+
 std::uint32_t new_vertex(GrowingMesh& mesh) {
     if (!mesh.free_vertices.empty()) {
         const std::uint32_t v = mesh.free_vertices.back();
@@ -255,6 +270,7 @@ std::uint32_t new_vertex(GrowingMesh& mesh) {
     mesh.phloem_up.push_back(kNone);
     mesh.phloem_down.push_back(kNone);
     mesh.is_bud.push_back(0);
+    mesh.vertex_rest.push_back(0);
     mesh.out.push_back(kNone);
     return v;
 }
@@ -265,6 +281,7 @@ std::uint32_t new_face(GrowingMesh& mesh, std::uint32_t a, std::uint32_t b, std:
         f = static_cast<std::uint32_t>(mesh.origin.size() / 3);
         mesh.origin.resize(mesh.origin.size() + 3, kNone);
         mesh.twin.resize(mesh.twin.size() + 3, kNone);
+        mesh.face_rest.push_back(0);
     } else {
         f = mesh.free_faces.back();
         mesh.free_faces.pop_back();
@@ -279,7 +296,7 @@ void free_vertex(GrowingMesh& mesh, std::uint32_t v) {
     mesh.tissue[v] = Tissue::cambium;
     mesh.branch[v] = 0;
     mesh.thickening[v] = mesh.travel[v] = 0;
-    mesh.is_bud[v] = 0;
+    mesh.is_bud[v] = mesh.vertex_rest[v] = 0;
     mesh.out[v] = kNone;
     mesh.free_vertices.push_back(v);
 }
@@ -289,6 +306,7 @@ void free_face(GrowingMesh& mesh, std::uint32_t f) {
         mesh.origin[h] = kNone;
         mesh.twin[h] = kNone;
     }
+    mesh.face_rest[f] = 0;
     mesh.free_faces.push_back(f);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,13 @@ struct GrowingMesh {
     std::vector<double> travel;            // how far its apex had come when it was made, mm
     std::vector<std::uint32_t> phloem_up;  // the next vertex of its phloem line, or kNone
     std::vector<std::uint32_t> phloem_down;
-    std::vector<std::uint8_t> is_bud;  // waits to become an apex: never merged away
-    std::vector<std::uint32_t> out;    // a half-edge that leaves it; kNone: free
+    std::vector<std::uint8_t> is_bud;       // waits to become an apex: never merged away
+    std::vector<std::uint8_t> vertex_rest;  // for so many steps nothing comes near; 0 if it is new
+    std::vector<std::uint32_t> out;         // a half-edge that leaves it; kNone: free
     // A half-edge.
     std::vector<std::uint32_t> origin;  // kNone: its face is free
     std::vector<std::uint32_t> twin;
+    std::vector<std::uint8_t> face_rest;  // a face: for so many steps it stays clear of all others
     // Free places, the last freed first.
     std::vector<std::uint32_t> free_vertices, free_faces;
 
@@ -78,6 +81,11 @@ void collapse_edge(GrowingMesh& mesh, std::uint32_t h);
 // three edges.
 bool can_flip(const GrowingMesh& mesh, std::uint32_t h);
 void flip_edge(GrowingMesh& mesh, std::uint32_t h);
+
+// The faces that meet at any of these vertices, sorted, each once.
+std::vector<std::uint32_t> faces_round(const GrowingMesh& mesh,
+                                       std::span<const std::uint32_t> vertices);
+void sort_once(std::vector<std::uint32_t>& numbers);
 
 // New places, the last freed first; without any half-edge, with no links.
 std::uint32_t new_vertex(GrowingMesh& mesh);

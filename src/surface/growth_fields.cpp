@@ -89,13 +89,13 @@ void GrowthFields::put_centre(GrowingMesh& mesh, std::uint32_t vertex, const Bur
 
 // Along the first line of phloem, evenly, each as soon as the trunk is so long (6.3).
 void GrowthFields::string_burls(GrowingMesh& mesh, std::span<const Apex> apices) {
-    if (strung_ >= params_.strung) return;
+    if (strung_ >= params_.strung || foot_ == kNone) return;
     const double spacing = static_cast<double>(params_.steps) * params_.speed_mm /
                            static_cast<double>(params_.strung + 1);
     const double next = spacing * static_cast<double>(strung_ + 1);
     if (apices[0].travel < next) return;
     ++strung_;
-    std::uint32_t v = 0;  // the seed's first corner: the line's foot
+    std::uint32_t v = foot_;
     for (std::uint32_t steps = 0; steps < mesh.out.size(); ++steps) {
         const std::uint32_t up = mesh.phloem_up[v];
         if (mesh.travel[v] >= next - params_.split_mm || up == kNone ||
@@ -234,6 +234,16 @@ void GrowthFields::stop_at_obstacles(const GrowingMesh& mesh, std::vector<Vec3>&
         if (is_alone(contact_centres_, mesh.position[v]))
             contact_centres_.push_back(mesh.position[v]);
     }
+}
+
+void GrowthFields::renumber(std::span<const std::uint32_t> vertex) {
+    for (Centre& centre : centres_)
+        centre.vertex = vertex[centre.vertex];
+    if (foot_ != kNone) foot_ = vertex[foot_];
+    std::vector<std::uint8_t> touches(touches_.size(), 0);
+    for (std::size_t v = 0; v < touches_.size(); ++v)
+        if (touches_[v] != 0 && vertex[v] != kNone) touches[vertex[v]] = 1;
+    touches_ = std::move(touches);
 }
 
 std::size_t GrowthFields::contacts() const {

@@ -37,6 +37,9 @@ class GrowthFields {
     // Whether a face may not lie there.
     bool is_barred(const Vec3& a, const Vec3& b, const Vec3& c) const;
 
+    // Vertices have new numbers.
+    void renumber(std::span<const std::uint32_t> vertex);
+
     // A vertex: 1 if it is so near to an obstacle that nothing but growth may move it.
     std::span<const std::uint8_t> near_obstacle() const { return near_; }
     std::size_t contacts() const;
@@ -61,6 +64,7 @@ class GrowthFields {
     std::vector<Centre> centres_;
     std::vector<Vec3> contact_centres_;
     std::int64_t strung_ = 0;  // so far
+    std::uint32_t foot_ = 0;   // of the line they lie on: the seed's first corner
     std::int64_t step_ = 0;
     std::vector<Solid> hollows_, obstacles_;
     std::vector<std::uint8_t> touches_, near_;

@@ -29,6 +29,19 @@ bool on_ground(const Vec3& p) {
     return p.y <= kGround_mm;
 }
 
+// Whether a face would turn too far or lose too much of its area.
+bool folds(const GrowingMesh& mesh, std::span<const Vec3> of_faces, std::span<const Vec3> moves,
+           std::uint32_t f) {
+    if (of_faces[f] == Vec3(0)) return false;
+    const std::uint32_t a = mesh.origin[3 * f], b = mesh.origin[3 * f + 1],
+                        c = mesh.origin[3 * f + 2];
+    const Vec3 &p = mesh.position[a], &q = mesh.position[b], &r = mesh.position[c];
+    const Vec3 after = area_vector(p + moves[a], q + moves[b], r + moves[c]);
+    const double risen = glm::dot(after, of_faces[f]);
+    const double before = glm::dot(area_vector(p, q, r), of_faces[f]);
+    return risen < kLeastArea * before || risen < kLeastTurn * glm::length(after);
+}
+
 }  // namespace
 
 std::vector<Vec3> face_normals(const GrowingMesh& mesh) {
@@ -62,46 +75,39 @@ std::vector<Vec3> vertex_normals(const GrowingMesh& mesh, std::span<const Vec3> 
     return normals;
 }
 
-void limit_moves(const GrowingMesh& mesh, std::span<const Vec3> of_faces,
-                 std::vector<Vec3>& moves) {
+void stay_on_ground(const GrowingMesh& mesh, std::vector<Vec3>& moves) {
     for_each_index(moves.size(), kWorthThreads, [&](std::size_t v) {
         if (on_ground(mesh.position[v])) moves[v].y = 0;
         moves[v].y = std::max(moves[v].y, -mesh.position[v].y);
     });
-    const std::size_t faces = mesh.origin.size() / 3;
-    for (int round = 0; round < kRounds; ++round) {
-        const auto folded =
-            gather<std::uint32_t>(faces, [&](std::size_t f, std::vector<std::uint32_t>& found) {
-                if (mesh.origin[3 * f] == kNone || of_faces[f] == Vec3(0)) return;
-                const std::uint32_t a = mesh.origin[3 * f], b = mesh.origin[3 * f + 1],
-                                    c = mesh.origin[3 * f + 2];
-                const Vec3 &p = mesh.position[a], &q = mesh.position[b], &r = mesh.position[c];
-                const Vec3 after = area_vector(p + moves[a], q + moves[b], r + moves[c]);
-                const double risen = glm::dot(after, of_faces[f]);
-                const double before = glm::dot(area_vector(p, q, r), of_faces[f]);
-                const bool small = risen < kLeastArea * before;
-                if (small || risen < kLeastTurn * glm::length(after))
-                    found.push_back(static_cast<std::uint32_t>(f));
-            });
-        if (folded.empty()) return;
+}
+
+void limit_moves(const GrowingMesh& mesh, std::span<const Vec3> of_faces,
+                 std::vector<Vec3>& moves) {
+    stay_on_ground(mesh, moves);
+    std::vector<std::uint32_t> folded =
+        gather<std::uint32_t>(mesh.origin.size() / 3, [&](std::size_t i, auto& found) {
+            const auto f = static_cast<std::uint32_t>(i);
+            if (mesh.is_face(f) && folds(mesh, of_faces, moves, f)) found.push_back(f);
+        });
+    for (int round = 0; round < kRounds && !folded.empty(); ++round) {
         std::vector<std::uint32_t> vertices;
         for (const std::uint32_t f : folded)
             vertices.insert(vertices.end(),
                             {mesh.origin[3 * f], mesh.origin[3 * f + 1], mesh.origin[3 * f + 2]});
-        std::sort(vertices.begin(), vertices.end());
-        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+        sort_once(vertices);
         for (const std::uint32_t v : vertices)
             moves[v] *= round + 1 < kRounds ? 0.5 : 0.0;
+        folded = faces_round(mesh, vertices);  // all others are as they were
+        std::erase_if(folded, [&](std::uint32_t f) { return !folds(mesh, of_faces, moves, f); });
     }
 }
 
-void smooth_along(GrowingMesh& mesh, std::span<const Vec3> normals, double share,
-                  std::span<const std::uint8_t> still) {
-    if (share <= 0) return;
-    std::vector<Vec3> moved = mesh.position;
-    for_each_index(moved.size(), kWorthThreads, [&](std::size_t i) {
+std::vector<Vec3> slides(const GrowingMesh& mesh, std::span<const Vec3> normals, double share) {
+    std::vector<Vec3> moves(mesh.position.size(), Vec3(0));
+    if (share <= 0) return moves;
+    for_each_index(moves.size(), kWorthThreads, [&](std::size_t i) {
         const auto v = static_cast<std::uint32_t>(i);
-        if (v < still.size() && still[v] != 0) return;
         if (!mesh.is_vertex(v) || mesh.tissue[v] != Tissue::cambium || mesh.is_bud[v] != 0 ||
             on_ground(mesh.position[v]))
             return;
@@ -117,9 +123,9 @@ void smooth_along(GrowingMesh& mesh, std::span<const Vec3> normals, double share
         });
         if (stays) return;
         const Vec3 way = sum / static_cast<double>(count) - mesh.position[v];
-        moved[v] += share * (way - normals[v] * glm::dot(way, normals[v]));
+        moves[v] = share * (way - normals[v] * glm::dot(way, normals[v]));
     });
-    mesh.position = std::move(moved);
+    return moves;
 }
 
 }  // namespace edaha

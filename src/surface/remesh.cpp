@@ -41,20 +41,35 @@ double length2(const Vec3& v) {
 class Remesher {
   public:
     Remesher(GrowingMesh& mesh, std::span<const Apex> apices, const RemeshParams& params)
-        : mesh_(mesh), apices_(apices), params_(params) {}
+        : mesh_(mesh),
+          apices_(apices),
+          params_(params),
+          own_grid_(params.grid
+                        ? std::nullopt
+                        : std::optional<FaceGrid>(std::in_place, mesh, 2 * params.split_mm)),
+          grid_(params.grid ? *params.grid : *own_grid_) {}
 
     void run() {
-        if (params_.winding_rad != 0) look_round();
-        for (int round = 0; round < kMostRounds && split_long(); ++round) {
-        }
-        look_round();
+        split_long();
         merge_short();
         close_folds();
         if (params_.flips) flip_all();
     }
 
   private:
-    void look_round() { grid_.emplace(mesh_, 2 * params_.split_mm); }
+    void place(std::uint32_t f) {
+        const Corners t = corners_of(mesh_, f);
+        grid_.put(f, box_round(t[0], t[1], t[2]));
+    }
+    // The face is not what it was, not even a part of that.
+    void changed(std::uint32_t f) {
+        place(f);
+        mesh_.face_rest[f] = 0;
+    }
+    void changed_round(std::uint32_t v) {
+        mesh_.vertex_rest[v] = 0;
+        mesh_.for_each_out(v, [&](std::uint32_t h) { changed(h / 3); });
+    }
 
     const Vec3& at(std::uint32_t v) const { return mesh_.position[v]; }
     double edge_length2(std::uint32_t h) const {
@@ -73,23 +88,36 @@ class Remesher {
                                 });
     }
 
-    bool split_long() {
+    void split_long() {
         const double most = params_.split_mm * params_.split_mm;
         std::vector<LongEdge> list =
             edges([&](std::uint32_t, double length) { return length > most; });
-        std::sort(list.begin(), list.end(), [](const LongEdge& a, const LongEdge& b) {
-            return a.length2 != b.length2 ? a.length2 > b.length2 : a.half_edge < b.half_edge;
-        });
-        for (const LongEdge& edge : list) {
-            if (edge_length2(edge.half_edge) > most) split(edge.half_edge);
+        for (int round = 0; round < kMostRounds && !list.empty(); ++round) {
+            std::sort(list.begin(), list.end(), [](const LongEdge& a, const LongEdge& b) {
+                return a.length2 != b.length2 ? a.length2 > b.length2 : a.half_edge < b.half_edge;
+            });
+            std::vector<std::uint32_t> added;
+            for (const LongEdge& edge : list)
+                if (edge_length2(edge.half_edge) > most) added.push_back(split(edge.half_edge));
+            // Splits leave some of the half-edges round them to other edges: all are looked at
+            // again.
+            list.clear();
+            for (const std::uint32_t v : added) {
+                mesh_.for_each_out(v, [&](std::uint32_t h) {
+                    for (const std::uint32_t edge : {h, GrowingMesh::next(h)}) {
+                        if (const double length = edge_length2(edge); length > most)
+                            list.push_back({length, std::min(edge, mesh_.twin[edge])});
+                    }
+                });
+            }
         }
-        return !list.empty();
     }
 
     // Table 1.
-    void split(std::uint32_t h) {
+    std::uint32_t split(std::uint32_t h) {
         const std::uint32_t a = mesh_.origin[h], b = mesh_.target(h);
         const Tissue one = mesh_.tissue[a], other = mesh_.tissue[b];
+        const std::uint32_t other_face = mesh_.twin[h] / 3;
         const std::uint32_t m = split_edge(mesh_, h);
         const bool decays = one != Tissue::apex && other != Tissue::apex &&
                             (one == Tissue::xylem || other == Tissue::xylem);
@@ -106,6 +134,10 @@ class Remesher {
             link_between(m, a, b);
             link_between(m, b, a);
         }
+        mesh_.for_each_out(m, [&](std::uint32_t i) {  // the others are where they were
+            if (i / 3 != h / 3 && i / 3 != other_face) place(i / 3);
+        });
+        return m;
     }
 
     // The line of phloem from `below` to `above` goes through m, if there is one.
@@ -135,7 +167,10 @@ class Remesher {
         const Vec3 along = axis * glm::dot(off, axis), out = off - along;
         const Vec3 straight = mesh_.position[m];
         mesh_.position[m] = at(apex) + along + out * cosine + glm::cross(axis, out) * sine;
-        if (crosses_round(m)) mesh_.position[m] = straight;
+        if (crosses_round(m))
+            mesh_.position[m] = straight;
+        else
+            changed_round(m);
     }
 
     bool crosses_round(std::uint32_t v) const {
@@ -182,12 +217,15 @@ class Remesher {
         if (rank(lost) >= 2 || !can_collapse(mesh_, h)) return false;
         const bool alike = rank(kept) == rank(lost);
         const Vec3 place = alike ? (at(kept) + at(lost)) / 2.0 : at(kept);
-        if (!keeps_faces(kept, lost, place) || !keeps_faces(lost, kept, place)) return false;
+        if (!keeps_faces(kept, lost, place) || !keeps_faces(lost, kept, place) ||
+            merges_into(kept, lost, place) || merges_into(lost, kept, place))
+            return false;
         const Vec3 last = alike ? (mesh_.last[kept] + mesh_.last[lost]) / 2.0 : mesh_.last[kept];
         pass_links(kept, lost);
         collapse_edge(mesh_, h);
         mesh_.position[kept] = place;
         mesh_.last[kept] = last;
+        changed_round(kept);
         return true;
     }
 
@@ -198,13 +236,38 @@ class Remesher {
 
     template <typename CornersOf>
     bool crosses(const Corners& face, const CornersOf& corners) const {
-        return crosses_any(*grid_, face, params_.merge_mm, corners);
+        return crosses_any(grid_, face, corners);
     }
 
-    // Whether a face round v passes through another one once v and `other` are one at `place`, and
+    // Calls visit(b, c) for each face v b c that stays when v and `other` become one.
+    template <typename Visit>
+    void visit_staying(std::uint32_t v, std::uint32_t other, const Visit& visit) const {
+        mesh_.for_each_out(v, [&](std::uint32_t h) {
+            const std::uint32_t b = mesh_.target(h), c = mesh_.origin[GrowingMesh::previous(h)];
+            if (b != other && c != other) visit(b, c);
+        });
+    }
+
+    // Whether all faces round v that stay are what they are if v moves, and may lie there.
+    bool keeps_faces(std::uint32_t v, std::uint32_t other, const Vec3& place) const {
+        const double most = 4 * params_.split_mm * params_.split_mm;
+        bool keeps = true;
+        visit_staying(v, other, [&](std::uint32_t b, std::uint32_t c) {
+            if (!keeps) return;
+            const Vec3 before = area_vector(at(v), at(b), at(c));
+            const Vec3 after = area_vector(place, at(b), at(c));
+            const double product = glm::dot(before, after);
+            const double lengths = std::sqrt(length2(before) * length2(after));
+            keeps = product > kLeastTurn * lengths && length2(place - at(b)) < most &&
+                    !(params_.is_barred && params_.is_barred(place, at(b), at(c)));
+        });
+        return keeps;
+    }
+
+    // Whether one of those passes through another one once v and `other` are one at `place`, and
     // did not before.
-    bool merges_into(const Corners& before, const Corners& after, std::uint32_t v,
-                     std::uint32_t other, const Vec3& place) const {
+    bool merges_into(std::uint32_t v, std::uint32_t other, const Vec3& place) const {
+        if (at(v) == place) return false;
         const auto merged = [&](std::uint32_t f) {
             std::optional<Corners> corners = place_of(f);
             if (!corners) return corners;
@@ -219,25 +282,12 @@ class Remesher {
             return corners;
         };
         const auto old = [&](std::uint32_t f) { return place_of(f); };
-        return crosses(after, merged) && !crosses(before, old);
-    }
-
-    // Whether all faces round v but those with `other` stay what they are if v moves.
-    bool keeps_faces(std::uint32_t v, std::uint32_t other, const Vec3& place) const {
-        const double most = 4 * params_.split_mm * params_.split_mm;
-        bool keeps = true;
-        mesh_.for_each_out(v, [&](std::uint32_t h) {
-            const std::uint32_t b = mesh_.target(h), c = mesh_.origin[GrowingMesh::previous(h)];
-            if (!keeps || b == other || c == other) return;
-            const Vec3 before = area_vector(at(v), at(b), at(c));
-            const Vec3 after = area_vector(place, at(b), at(c));
-            const double product = glm::dot(before, after);
-            const double lengths = std::sqrt(length2(before) * length2(after));
-            keeps = product > kLeastTurn * lengths && length2(place - at(b)) < most &&
-                    !(params_.is_barred && params_.is_barred(place, at(b), at(c))) &&
-                    !merges_into({at(v), at(b), at(c)}, {place, at(b), at(c)}, v, other, place);
+        bool into = false;
+        visit_staying(v, other, [&](std::uint32_t b, std::uint32_t c) {
+            into = into ||
+                   (crosses({place, at(b), at(c)}, merged) && !crosses({at(v), at(b), at(c)}, old));
         });
-        return keeps;
+        return into;
     }
 
     // Whether the two faces at an edge look at each other across a crotch, at less than 60 degrees,
@@ -263,10 +313,10 @@ class Remesher {
             const std::uint32_t h = edge.half_edge;
             if (mesh_.origin[h] == kNone || !is_fold(h) || !can_flip(mesh_, h)) continue;
             if (is_phloem(mesh_.origin[h], mesh_.target(h))) continue;
-            flip_edge(mesh_, h);
+            flip(h);
             if (merge(h)) continue;
             for (int turn = 0; turn < 3; ++turn)  // four turns are none
-                flip_edge(mesh_, h);
+                flip(h);
         }
     }
 
@@ -350,19 +400,27 @@ class Remesher {
                !crosses({a, b, c}, others) && !crosses({b, a, d}, others);
     }
 
+    void flip(std::uint32_t h) {
+        const std::uint32_t other = mesh_.twin[h] / 3;
+        flip_edge(mesh_, h);
+        changed(h / 3);
+        changed(other);
+    }
+
     void flip_all() {
         const std::vector<LongEdge> list =
             edges([&](std::uint32_t h, double) { return should_flip(h); });
         for (const LongEdge& edge : list) {
             const std::uint32_t h = edge.half_edge;
-            if (should_flip(h) && can_flip(mesh_, h) && !is_barred(h)) flip_edge(mesh_, h);
+            if (should_flip(h) && can_flip(mesh_, h) && !is_barred(h)) flip(h);
         }
     }
 
     GrowingMesh& mesh_;
     std::span<const Apex> apices_;
     const RemeshParams& params_;
-    std::optional<FaceGrid> grid_;  // of the mesh when it was last looked at
+    std::optional<FaceGrid> own_grid_;
+    FaceGrid& grid_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "surface/apex.h"
+#include "surface/face_grid.h"
 #include "surface/growing_mesh.h"
 
 namespace edaha {
@@ -13,6 +14,7 @@ struct RemeshParams {
     double merge_mm = 70;    // T_m
     double winding_rad = 0;  // theta_p, a mm of travel
     bool flips = true;
+    FaceGrid* grid = nullptr;  // holds the mesh, and goes on doing so; without one it gets its own
     // Whether a face may not lie there: flips and collapses that would make one are left out.
     std::function<bool(const Vec3&, const Vec3&, const Vec3&)> is_barred = {};
     bool only_shrinking = true;  // eq. 2; without it tips are eaten

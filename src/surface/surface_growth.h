@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "base/keyed_random.h"
@@ -33,15 +34,20 @@ class SurfaceGrowth {
     const SurfaceReport& report() const { return report_; }
 
   private:
+    void find_normals();
     void order_apices();
     void place_buds(std::uint32_t branch, std::vector<Bud> buds);
     std::vector<Vec3> growth_vectors() const;
+    std::vector<std::uint32_t> growing_apices() const;
+    void plan_moves();
     void fuse();
+    void watch(std::span<const FaceBox> boxes, const RestParams& rest);
     void move_all();
     void stay_apart(std::vector<Vec3>& moves);
-    void smooth();
+    void slide_all();
     void remesh_all();
     void follow_apices();
+    void renumber();
 
     SurfaceParams params_;
     KeyedRandom random_;
@@ -50,8 +56,13 @@ class SurfaceGrowth {
     std::vector<Apex> apices_;
     GrowthFields fields_;
     std::vector<Vec3> of_faces_, normals_;
-    Facing facing_;                        // what looks at each other and may meet in this step
-    std::vector<std::uint32_t> suspects_;  // passed through something at last
+    std::vector<Vec3> moves_, slides_;     // of this step, a vertex
+    FaceGrid grid_;                        // of the faces on their ways
+    int parts_ = 1;                        // that they go in
+    Facing facing_;                        // what may meet in this step
+    std::vector<ClosePair> close_;         // and what may pass through each other, soon
+    std::vector<FacePair> closest_;        // or in this step
+    std::vector<std::uint32_t> suspects_;  // passed through something in this step or at last
     std::int64_t steps_ = 0;
     SurfaceReport report_;
 };

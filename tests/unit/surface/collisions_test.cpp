@@ -14,18 +14,29 @@ namespace {
 
 struct Scene {
     GrowingMesh mesh;
-    std::vector<Vec3> of_faces, normals, moves;
+    std::vector<Vec3> of_faces, normals, moves, slides;
+    FaceGrid grid{300, 10};
 
-    Scene(GrowingMesh of, double speed_mm)
-        : mesh(std::move(of)),
-          of_faces(face_normals(mesh)),
-          normals(vertex_normals(mesh, of_faces)),
-          moves(normals) {
+    Scene(GrowingMesh of, double speed_mm) : mesh(std::move(of)) { move_by(speed_mm); }
+
+    void move_by(double speed_mm) {
+        of_faces = face_normals(mesh);
+        normals = vertex_normals(mesh, of_faces);
+        moves = normals;
+        slides.assign(moves.size(), Vec3(0));
         for (Vec3& move : moves)
             move *= speed_mm;
     }
-    Facing facing(double near_mm) const {
-        return facing_pairs(mesh, of_faces, normals, moves, {near_mm, 150, {}});
+    Ways ways() const { return {moves, slides}; }
+    Facing facing(double near_mm, const RestParams& rest = {}) {
+        grid.put_all(boxes_of_ways(mesh, ways(), 2));
+        return facing_pairs(mesh, of_faces, normals, ways(), grid, {near_mm, rest});
+    }
+    // Of those that `watched` may pass through others.
+    std::vector<FacePair> close(std::span<const FacingPair> pairs) {
+        const std::vector<std::uint8_t> watched = watched_faces(mesh, of_faces, pairs, {});
+        const std::vector<FaceBox> boxes = boxes_of_ways(mesh, ways(), 2);
+        return closest(close_faces(mesh, of_faces, ways(), grid, {{}, watched, boxes}, {}));
     }
 };
 
@@ -41,7 +52,7 @@ TEST(NearestPoint, OverTheInsideAnEdgeAndACorner) {
 
 // The gap is 100 mm: at 20 mm a step both, it shrinks to 60 mm.
 TEST(FacingPairs, AreThoseThatComeNearWithinAStep) {
-    const Scene scene(two_blocks(1), 20);
+    Scene scene(two_blocks(1), 20);
     EXPECT_TRUE(scene.facing(59).pairs.empty());
     const Facing facing = scene.facing(80);
     ASSERT_FALSE(facing.pairs.empty());
@@ -61,15 +72,34 @@ TEST(FacingPairs, AreNotOfXylemNorOfOneBlock) {
     Scene scene(two_blocks(1), 20);
     std::fill(scene.mesh.tissue.begin(), scene.mesh.tissue.end(), Tissue::xylem);
     EXPECT_TRUE(scene.facing(500).pairs.empty());
-    const Scene block(block_mesh({4, 4, 4}, 100, {0, 1000, 0}, [](int, int, int) { return true; }),
-                      20);
+    Scene block(block_mesh({4, 4, 4}, 100, {0, 1000, 0}, [](int, int, int) { return true; }), 20);
     EXPECT_TRUE(block.facing(500).pairs.empty());
+}
+
+// Blocks that grow at each other, step by step: most vertices rest in most steps, and all that come
+// near are found in time.
+TEST(FacingPairs, AreFoundInTimeThoughMostVerticesRest) {
+    Scene scene(two_blocks(1), 2);
+    const RestParams rest{3, 30};
+    std::size_t looked = 0, all = 0;
+    for (int step = 0; step < 25; ++step) {
+        const double gap = 100 - 4 * step;
+        const Facing facing = scene.facing(35, rest);
+        EXPECT_EQ(facing.pairs.empty(), gap - 35 > 4) << gap;
+        for (std::size_t v = 0; v < facing.rest.size(); ++v, ++all)
+            looked += scene.mesh.vertex_rest[v] == 0;
+        if (!facing.pairs.empty()) break;
+        scene.mesh.vertex_rest = facing.rest;
+        for (std::size_t v = 0; v < scene.moves.size(); ++v)
+            scene.mesh.position[v] += scene.moves[v];
+    }
+    EXPECT_LT(looked, all / 3);
 }
 
 TEST(KeepApart, LeavesTheLeastDistance) {
     Scene scene(two_blocks(1), 70);
     const Facing facing = scene.facing(35);
-    keep_apart(scene.mesh, facing, scene.normals, {20, 150, 2}, scene.moves);
+    keep_apart(scene.mesh, facing, scene.normals, scene.grid, {20, 2, {}, {}}, scene.moves);
     double low = 0, high = 1e9;
     for (std::uint32_t v = 0; v < scene.mesh.position.size(); ++v) {
         const double before = scene.mesh.position[v].y, after = before + scene.moves[v].y;
@@ -89,12 +119,12 @@ TEST(KeepApart, LetsNoWatchedFacePassThroughAnother) {
         scene.mesh.position.begin());
     scene.mesh.tissue[v] = Tissue::apex;
     scene.moves[v] = {0, 130, 0};
-    Facing facing = scene.facing(5);
-    facing.pairs.clear();
+    scene.facing(5);
+    const std::vector<FacePair> close = scene.close({});
     GrowingMesh moved = scene.mesh;
     moved.position[v] += scene.moves[v];
     EXPECT_FALSE(crossing_faces(moved).empty());
-    keep_apart(scene.mesh, facing, scene.normals, {1, 150, 2}, scene.moves);
+    keep_apart(scene.mesh, {}, scene.normals, scene.grid, {1, 2, close, {}}, scene.moves);
     moved.position[v] = scene.mesh.position[v] + scene.moves[v];
     EXPECT_TRUE(crossing_faces(moved).empty());
 }

@@ -36,7 +36,7 @@ TEST(FaceGrid, FindsAllFacesOfABoxAndNoOthers) {
         const FaceGrid grid(mesh, cell);
         for (int i = -3; i < 3; ++i) {
             const FaceBox box = box_round(Vec3(100.0 * i, 37, -50), Vec3(100.0 * i + 80, 90, 60));
-            std::set<std::uint32_t> found, expected;
+            std::multiset<std::uint32_t> found, expected;
             grid.visit(box, [&](std::uint32_t f) { found.insert(f); });
             for (std::uint32_t f = 0; f < mesh.origin.size() / 3; ++f)
                 if (box_of_face(mesh, f).meets(box)) expected.insert(f);
@@ -58,4 +58,38 @@ TEST(FaceGrid, FindsEachPairOnce) {
             if (box_of_face(mesh, f).meets(box_of_face(mesh, g))) expected.insert({f, g});
     EXPECT_GT(expected.size(), 500U);
     EXPECT_EQ(found, expected);
+}
+
+// Faces that come, creep, jump and go: what is found is what a new grid finds, and with slack no
+// less than that.
+TEST(FaceGrid, FollowsFacesThatChange) {
+    const KeyedRandom random(4, 5, 6);
+    constexpr std::uint32_t kFaces = 2000;
+    std::vector<FaceBox> boxes(kFaces);
+    FaceGrid grid(120, 0), slack(120, 15);
+    for (std::uint32_t round = 0; round < 8; ++round) {
+        for (std::uint32_t f = 0; f < kFaces; ++f) {
+            const auto number = [&](std::uint32_t i) { return random.uniform(f, round, i); };
+            const bool is_gone = number(0) < 0.2, stays = number(1) < 0.5;
+            if (is_gone) boxes[f] = {};
+            if (is_gone || (stays && !boxes[f].empty())) continue;
+            const Vec3 low = 900.0 * Vec3(number(2), number(3), number(4)) - 450.0;
+            boxes[f] = box_round(low, low + 100.0 * Vec3(number(5), number(6), number(7)));
+        }
+        grid.put_all(boxes);
+        slack.put_all(boxes);
+        for (double x = -400; x < 400; x += 190) {
+            const FaceBox box = box_round(Vec3(x, -100, -50), Vec3(x + 80, 90, 160));
+            std::multiset<std::uint32_t> found, roughly, expected;
+            grid.visit(box, [&](std::uint32_t f) { found.insert(f); });
+            slack.visit(box, [&](std::uint32_t f) { roughly.insert(f); });
+            for (std::uint32_t f = 0; f < kFaces; ++f)
+                if (!boxes[f].empty() && boxes[f].meets(box)) expected.insert(f);
+            EXPECT_EQ(found, expected) << round << " " << x;
+            EXPECT_TRUE(
+                std::includes(roughly.begin(), roughly.end(), expected.begin(), expected.end()));
+            for (const std::uint32_t f : roughly)
+                EXPECT_EQ(roughly.count(f), 1U);
+        }
+    }
 }

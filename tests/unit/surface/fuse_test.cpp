@@ -28,6 +28,8 @@ Fusions grow_cambium(GrowingMesh& mesh, int steps) {
     std::vector<Apex> apices(1);
     Fusions sum;
     std::vector<std::uint32_t> suspects;
+    std::vector<ClosePair> close;
+    FaceGrid grid(300, 10);
     for (int step = 0; step < steps; ++step) {
         std::vector<Vec3> of_faces = face_normals(mesh), normals = vertex_normals(mesh, of_faces);
         const auto moves_of = [](std::vector<Vec3> moves) {
@@ -35,22 +37,32 @@ Fusions grow_cambium(GrowingMesh& mesh, int steps) {
                 move *= 3.0;
             return moves;
         };
-        Facing facing =
-            facing_pairs(mesh, of_faces, normals, moves_of(normals), {35, 150, suspects});
-        const Fusions now = fuse_facing(mesh, apices, facing.pairs, normals, {{}, &*facing.grid});
+        std::vector<Vec3> moves = moves_of(normals), slides(moves.size(), Vec3(0));
+        std::vector<FaceBox> boxes;
+        const auto face = [&] {
+            boxes = boxes_of_ways(mesh, {moves, slides}, 3.5);
+            grid.put_all(boxes);
+            return facing_pairs(mesh, of_faces, normals, {moves, slides}, grid, {});
+        };
+        Facing facing = face();
+        const Fusions now = fuse_facing(mesh, apices, facing.pairs, normals, {{}, &grid});
         sum.sewn += now.sewn;
         sum.pinned = now.pinned;
         of_faces = face_normals(mesh);
         normals = vertex_normals(mesh, of_faces);
-        std::vector<Vec3> moves = moves_of(normals);
-        if (now.sewn > 0)
-            facing = facing_pairs(mesh, of_faces, normals, moves, {35, 150, suspects});
+        moves = moves_of(normals);
+        slides.assign(moves.size(), Vec3(0));
+        facing = face();
+        mesh.vertex_rest = facing.rest;
+        const auto watched = watched_faces(mesh, of_faces, facing.pairs, suspects);
+        close = close_faces(mesh, of_faces, {moves, slides}, grid, {{}, watched, boxes},
+                            std::move(close));
         mesh.last = mesh.position;
         limit_moves(mesh, of_faces, moves);
-        suspects = keep_apart(mesh, facing, normals, {17.5, 150, 3.5}, moves);
+        suspects = keep_apart(mesh, facing, normals, grid, {17.5, 3.5, closest(close), {}}, moves);
         for (std::size_t v = 0; v < moves.size(); ++v)
             mesh.position[v] += moves[v];
-        remesh(mesh, apices, {150, 70, 0, true, {}});
+        remesh(mesh, apices, {150, 70, 0, true, &grid});
         close_channels(mesh, {70, 2000});
         EXPECT_TRUE(faults(mesh).empty()) << step << ": " << faults(mesh).front();
     }
@@ -155,7 +167,10 @@ TEST(FuseFacing, PinsBudsAndXylem) {
     const std::vector<Vec3> of_faces = face_normals(mesh), normals = vertex_normals(mesh, of_faces);
     std::fill(mesh.is_bud.begin(), mesh.is_bud.end(), 1);
     std::vector<Apex> apices(1);
-    const Facing facing = facing_pairs(mesh, of_faces, normals, normals, {150, 150, {}});
+    const std::vector<Vec3> slides(normals.size(), Vec3(0));
+    FaceGrid grid(300, 0);
+    grid.put_all(boxes_of_ways(mesh, {normals, slides}, 0));
+    const Facing facing = facing_pairs(mesh, of_faces, normals, {normals, slides}, grid, {150, {}});
     const Fusions fusions = fuse_facing(mesh, apices, facing.pairs, normals);
     EXPECT_EQ(fusions.sewn, 0U);
     EXPECT_GE(fusions.pinned, 18U);  // 3 x 3 inner vertices of each side
