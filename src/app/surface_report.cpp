@@ -23,8 +23,9 @@ void add_to_json(nlohmann::ordered_json& json, const SurfaceReport& report) {
     json["pins"] = report.pins;
     json["contacts"] = report.contacts;
     json["crossing_pairs"] = report.crossing_pairs;
-    json["edges_in_range"] = thousandths(report.edges_in_range);
-    json["longest_edge_mm"] = thousandths(report.longest_edge_mm);
+    json["edges_in_range"] = thousandths(report.edges.in_range);
+    json["thick_edges_in_range"] = thousandths(report.edges.thick_in_range);
+    json["longest_edge_mm"] = thousandths(report.edges.longest_mm);
     json["deepest_mm"] = thousandths(report.deepest_mm);
 }
 

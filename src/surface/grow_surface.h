@@ -10,6 +10,18 @@
 
 namespace edaha {
 
+class SurfaceGrowth;
+
+// The edges of a mesh. Round wood that is thinner than T_m run edges that are shorter, and stay:
+// they do not shrink (eq. 2).
+struct EdgeReport {
+    double in_range = 0;        // share of edges between T_m and T_s
+    double thick_in_range = 0;  // the same of those at least T_m from their branch's way
+    std::size_t thick = 0;      // how many those are
+    double longest_mm = 0;
+};
+EdgeReport edge_report(const SurfaceGrowth& growth, const SurfaceParams& params);
+
 // The report of a run (spec of the system: section 8).
 struct SurfaceReport {
     std::int64_t steps = 0;
@@ -19,8 +31,7 @@ struct SurfaceReport {
     std::size_t pins = 0;            // met, but could not be sewn
     std::size_t contacts = 0;        // vertices that an obstacle stopped
     std::size_t crossing_pairs = 0;  // of faces, at the end
-    double edges_in_range = 0;       // share of edges between T_m and T_s
-    double longest_edge_mm = 0;
+    EdgeReport edges;
     double deepest_mm = 0;  // of a face inside an obstacle
     double seconds = 0;
 };

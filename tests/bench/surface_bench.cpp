@@ -11,6 +11,7 @@
 #include "style/catalogue.h"
 #include "style/style_xml.h"
 #include "surface/crossings.h"
+#include "surface/grow_surface.h"
 #include "surface/surface_growth.h"
 
 namespace edaha {
@@ -27,12 +28,13 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void report(benchmark::State& state, const SurfaceGrowth& growth) {
+void report(benchmark::State& state, const SurfaceGrowth& growth, const SurfaceParams& params) {
     const GrowingMesh& mesh = growth.mesh();
     state.counters["faces"] = double(mesh.faces());
     state.counters["vertices"] = double(mesh.vertices());
     state.counters["fusions"] = double(growth.report().fusions);
     state.counters["crossing"] = double(crossing_faces(mesh).size());
+    state.counters["thick_in_range"] = edge_report(growth, params).thick_in_range;
 }
 
 void grow(benchmark::State& state, const std::string& style) {
@@ -42,7 +44,7 @@ void grow(benchmark::State& state, const std::string& style) {
         while (growth.steps() < params.steps)
             growth.step();
         state.PauseTiming();
-        report(state, growth);
+        report(state, growth, params);
         state.ResumeTiming();
     }
 }
@@ -62,7 +64,7 @@ void step(benchmark::State& state) {
             seconds += seconds_since(start);
             vertices += double(growth.mesh().vertices());
         }
-        report(state, growth);
+        report(state, growth, params);
     }
     state.counters["us_step_vertex"] = 1e6 * seconds / vertices;
 }

@@ -56,8 +56,9 @@ TEST_F(SurfaceCommands, RefusesFramesThatCantBe) {
 TEST_F(SurfaceCommands, ReportsTheGrowth) {
     const auto json = nlohmann::json::parse(sh("edaha measure young.xml --json").out);
     EXPECT_EQ(json["steps"], 12);
-    for (const char* key : {"vertices", "faces", "grown_branches", "fusions", "pins", "contacts",
-                            "crossing_pairs", "edges_in_range", "longest_edge_mm", "deepest_mm"})
+    for (const char* key :
+         {"vertices", "faces", "grown_branches", "fusions", "pins", "contacts", "crossing_pairs",
+          "edges_in_range", "thick_edges_in_range", "longest_edge_mm", "deepest_mm"})
         EXPECT_TRUE(json[key].is_number()) << key;
     const auto stats = sh("edaha draw young.xml --stats -o x.svg");
     EXPECT_EQ(stats.err.substr(0, 5), "grow ") << stats.err;

@@ -9,8 +9,8 @@
 
 #include "style/catalogue.h"
 #include "style/style_xml.h"
-#include "surface/branch_way.h"
 #include "surface/crossings.h"
+#include "surface/grow_surface.h"
 #include "surface/surface_growth.h"
 
 namespace edaha {
@@ -41,28 +41,15 @@ TEST_P(SurfaceStyles, GrowClosedEvenAndApart) {
     EXPECT_EQ((mesh.vertices() + mesh.faces() - edges) % 2, 0U);
     EXPECT_TRUE(crossing_faces(mesh).empty());
     EXPECT_LE(growth.fields().deepest_mm(mesh), params.merge_mm / 10);
-    const auto is_thick = [&](std::uint32_t v) {
-        const Apex& apex = growth.apices()[mesh.branch[v]];
-        if (apex.path.empty()) return false;
-        return BranchWay(apex).place(mesh.position[v]).radius >= params.merge_mm;
-    };
-    double longest = 0;
-    std::size_t fitting = 0, counted = 0;
     for (std::uint32_t h = 0; h < mesh.origin.size(); ++h) {
         if (mesh.origin[h] == kNone) continue;
         ASSERT_NE(mesh.twin[h], kNone);
         ASSERT_EQ(mesh.twin[mesh.twin[h]], h);
-        const double length =
-            glm::distance(mesh.position[mesh.origin[h]], mesh.position[mesh.target(h)]);
-        longest = std::max(longest, length);
-        if (!is_thick(mesh.origin[h]) || !is_thick(mesh.target(h))) continue;
-        ++counted;
-        fitting += length >= params.merge_mm && length <= params.split_mm ? 1 : 0;
     }
-    EXPECT_LE(longest, 2 * params.split_mm);
-    // Of wood that is thick enough for edges of T_m to run round it.
-    EXPECT_GE(double(fitting), 0.95 * double(counted)) << counted;
-    EXPECT_GT(counted, 50U);
+    const EdgeReport lengths = edge_report(growth, params);
+    EXPECT_LE(lengths.longest_mm, 2 * params.split_mm);
+    EXPECT_GT(lengths.thick, 25U);
+    EXPECT_GE(lengths.thick_in_range, 0.95);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SurfaceStyles, testing::ValuesIn(surface_styles()),
