@@ -2,6 +2,7 @@
 // From mesh to flat layers by size of the mesh: trees of prisms that pass through each other at
 // their joints, and smooth surfaces. Counters: per triangle, so that a linear cost shows as such,
 // and the seconds of each step.
+#include <algorithm>
 #include <cmath>
 #include <queue>
 
@@ -11,9 +12,12 @@
 #include "base/keyed_random.h"
 #include "flatten/flatten.h"
 #include "flatten/make_map.h"
+#include "style/catalogue.h"
+#include "style/style_xml.h"
 #include "support/flat_judge.h"
 #include "support/id_buffer.h"
 #include "support/meshes.h"
+#include "surface/grow_surface.h"
 
 namespace edaha {
 namespace {
@@ -38,8 +42,11 @@ Mesh tree_of(std::size_t triangles) {
         const Mesh prism = test::prism(bud.place, bud.place + bud.along, bud.radius, 8);
         const auto first = static_cast<std::uint32_t>(mesh.points.size());
         mesh.points.insert(mesh.points.end(), prism.points.begin(), prism.points.end());
-        while (mesh.parts.size() <= bud.order)
-            mesh.parts.push_back({"order-" + std::to_string(mesh.parts.size())});
+        while (mesh.parts.size() <= bud.order) {
+            MeshPart part;
+            part.name = "order-" + std::to_string(mesh.parts.size());
+            mesh.parts.push_back(std::move(part));
+        }
         for (const Triangle& t : prism.triangles) {
             mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
             mesh.part_of.push_back(bud.order);
@@ -94,9 +101,8 @@ void torus(benchmark::State& state, FlatLook look) {
 
 // The map of a large tree against a depth buffer of our own: how many of 1,000 covered pixels show
 // another part, and how many of them none that is seen within a pixel.
-void tree_labels(benchmark::State& state) {
+void labels_of(benchmark::State& state, const Mesh& mesh) {
     constexpr int kSize = 1000;
-    const Mesh mesh = tree_of(static_cast<std::size_t>(state.range(0)));
     FlattenParams params;
     params.resolution = kSize - 20;
     params.camera.azimuth_rad = 0.3;
@@ -120,13 +126,12 @@ void tree_labels(benchmark::State& state) {
 // another part, by how much; paper that shines through a wall behind the tree; how far the depth
 // buffer's edges are from strokes, in pixels (not the other way: within a part it has none);
 // breaches of the drawing's contract. With the smallest area as it is, and 0.
-void tree_oracles(benchmark::State& state) {
-    const Mesh mesh = tree_of(static_cast<std::size_t>(state.range(0)));
+void oracles_of(benchmark::State& state, const Mesh& mesh, double min_area_px2) {
     FlattenParams params;
     params.look = FlatLook::fills_lines;
     params.resolution = test::kSize - 20;
     params.smoothing_px = 0;
-    params.min_area_px2 = double(state.range(1));
+    params.min_area_px2 = min_area_px2;
     params.camera.azimuth_rad = 0.3;
     params.camera.elevation_rad = 0.2;
     FlattenParams lines = params;
@@ -155,6 +160,34 @@ void tree_oracles(benchmark::State& state) {
     state.counters["edges_most"] = strokes.of_edges.back();
 }
 
+// The largest tree whose surface grows. Its branches share 250 parts, as the oracles have colours
+// for no more.
+Mesh surface_tree() {
+    const Catalogue catalogue;
+    const Style style = read_style(catalogue.find_style("paper/surface-fig27a"), catalogue);
+    Mesh mesh = grow_surface(style.surface, KeyedRandom(1, 1, 1)).mesh;
+    constexpr std::uint32_t kMostParts = 250;
+    for (std::uint32_t& part : mesh.part_of)
+        part %= kMostParts;
+    mesh.parts.resize(std::min<std::size_t>(mesh.parts.size(), kMostParts));
+    return mesh;
+}
+
+void tree_labels(benchmark::State& state) {
+    labels_of(state, tree_of(static_cast<std::size_t>(state.range(0))));
+}
+void tree_oracles(benchmark::State& state) {
+    oracles_of(state, tree_of(static_cast<std::size_t>(state.range(0))), double(state.range(1)));
+}
+void surface_labels(benchmark::State& state) {
+    labels_of(state, surface_tree());
+}
+void surface_oracles(benchmark::State& state) {
+    oracles_of(state, surface_tree(), 2);
+}
+
+BENCHMARK(surface_labels)->Iterations(1)->Unit(benchmark::kSecond);
+BENCHMARK(surface_oracles)->Iterations(1)->Unit(benchmark::kSecond);
 BENCHMARK(tree_oracles)
     ->ArgsProduct({{10'000, 150'000}, {2, 0}})
     ->Iterations(1)
