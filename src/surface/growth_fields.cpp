@@ -188,8 +188,8 @@ bool GrowthFields::is_alone(std::span<const Vec3> centres, const Vec3& p) const 
 }
 
 bool GrowthFields::is_far(const Vec3& a, const Vec3& b, const Vec3& c) const {
-    return obstacles_.empty() ||
-           least_distance(obstacles_, step_, (a + b + c) / 3.0) > 2 * params_.split_mm;
+    const double far = 2 * params_.split_mm;
+    return obstacles_.empty() || least_distance(obstacles_, step_, (a + b + c) / 3.0, far) >= far;
 }
 
 bool GrowthFields::is_barred(const Vec3& a, const Vec3& b, const Vec3& c) const {
@@ -206,10 +206,11 @@ void GrowthFields::stop_at_obstacles(const GrowingMesh& mesh, std::vector<Vec3>&
         const auto v = static_cast<std::uint32_t>(i);
         if (!mesh.is_vertex(v)) return;
         const Vec3& p = mesh.position[v];
-        const double now = least_distance(obstacles_, step_, p);
+        const double reach = glm::length(moves[v]) + kSkin_mm;
+        const double now = least_distance(obstacles_, step_, p, std::max(reach, params_.split_mm));
         near_[v] = now < params_.split_mm;
-        if (now > glm::length(moves[v]) + kSkin_mm) return;
-        const double then = least_distance(obstacles_, step_, p + moves[v]);
+        if (now >= reach) return;
+        const double then = least_distance(obstacles_, step_, p + moves[v], kSkin_mm);
         if (then >= kSkin_mm) return;
         // Straight to the surface, or not at all.
         const double part = now <= kSkin_mm ? 0 : (now - kSkin_mm) / (now - then);

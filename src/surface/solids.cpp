@@ -47,9 +47,11 @@ std::vector<Vec3> wire_corners(const SolidParams& wire) {
 
 Solid::Solid(const SolidParams& params) : params_(params) {
     if (params.shape == SolidShape::wire) corners_ = wire_corners(params);
+    if (params.shape == SolidShape::mesh && params.mesh)
+        mesh_ = std::make_shared<const SolidMesh>(*params.mesh);
 }
 
-double Solid::distance(const Vec3& p) const {
+double Solid::distance(const Vec3& p, double enough) const {
     const Vec3 &from = params_.from, &to = params_.to;
     switch (params_.shape) {
         case SolidShape::plane: {
@@ -68,6 +70,8 @@ double Solid::distance(const Vec3& p) const {
                 least = std::min(least, to_segment(p, corners_[i - 1], corners_[i]));
             return least - params_.radius_mm;
         }
+        case SolidShape::mesh:
+            return mesh_ ? mesh_->distance(p - from, enough) : enough;
     }
     return std::numeric_limits<double>::infinity();
 }
@@ -83,10 +87,12 @@ Vec3 Solid::outward(const Vec3& p) const {
     return length > 0 ? gradient / length : Vec3(0, 1, 0);
 }
 
-double least_distance(std::span<const Solid> solids, std::int64_t step, const Vec3& p) {
+double least_distance(std::span<const Solid> solids, std::int64_t step, const Vec3& p,
+                      double enough) {
     double least = std::numeric_limits<double>::infinity();
     for (const Solid& solid : solids) {
-        if (solid.step() <= step) least = std::min(least, solid.distance(p));
+        if (solid.step() <= step)
+            least = std::min(least, solid.distance(p, std::min(least, enough)));
     }
     return least;
 }
@@ -96,8 +102,8 @@ double deepest(std::span<const Solid> solids, std::int64_t step, const Vec3& a, 
     const Vec3 middle = (a + b + c) / 3.0;
     const double reach =
         std::max({glm::distance(middle, a), glm::distance(middle, b), glm::distance(middle, c)});
-    const double near = least_distance(solids, step, middle);
-    if (near > reach) return reach - near;
+    const double near = least_distance(solids, step, middle, reach);
+    if (near >= reach) return reach - near;
     const double longest =
         std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
     const int n = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
@@ -105,7 +111,8 @@ double deepest(std::span<const Solid> solids, std::int64_t step, const Vec3& a, 
     for (int i = 0; i <= n; ++i) {
         for (int j = 0; i + j <= n; ++j) {
             const double u = double(i) / n, v = double(j) / n;
-            least = std::min(least, least_distance(solids, step, a + (b - a) * u + (c - a) * v));
+            const Vec3 p = a + (b - a) * u + (c - a) * v;
+            least = std::min(least, least_distance(solids, step, p, least));
         }
     }
     return -least;
