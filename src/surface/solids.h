@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <span>
@@ -38,8 +40,20 @@ std::vector<Vec3> wire_corners(const SolidParams& wire);
 double least_distance(std::span<const Solid> solids, std::int64_t step, const Vec3& p,
                       double enough = std::numeric_limits<double>::infinity());
 
-// How deep a triangle reaches into them, sampled `spacing` apart; 0 or below if it does not.
-double deepest(std::span<const Solid> solids, std::int64_t step, const Vec3& a, const Vec3& b,
-               const Vec3& c, double spacing);
+// The tolerance is above 0.
+struct DepthParams {
+    std::int64_t step = 1;
+    double least = 0;  // what is no deeper than that is not looked for
+    double tolerance_mm = 0.1;
+};
+
+// How deep the deepest place of a triangle lies in them, too little by the tolerance at most; the
+// least if none is deeper. O(1) if it is far from all of them.
+double deepest(std::span<const Solid> solids, const std::array<Vec3, 3>& corners,
+               const DepthParams& params);
+
+// Whether it is deeper than the least. Where it is by no more than the tolerance, either answer.
+bool is_deeper(std::span<const Solid> solids, const std::array<Vec3, 3>& corners,
+               const DepthParams& params);
 
 }  // namespace edaha

@@ -126,7 +126,7 @@ TEST_F(SurfaceCommands, RefusesFilesThatAreNoSolids) {
     expect_refused("text.obj", "text.obj:2:1: there are no faces\n");
     expect_refused("text.ply", "text.ply:1:1: this is no PLY file (expected 'ply')\n");
     expect_refused("cube.stl", "cube.stl: the ending is no mesh (expected obj or ply)\n");
-    expect_refused("none.obj", "walled.xml:2:33: obstacle.file: there is no file 'none.obj'\n");
+    expect_refused("none.obj", "walled.xml:2:26: obstacle.file: there is no file 'none.obj'\n");
 }
 
 TEST_F(SurfaceCommands, MeshesAndFilesGoTogether) {

@@ -52,9 +52,14 @@ TEST(Deepest, IsHowFarATriangleReachesIn) {
     const std::vector<Solid> rods{Solid(solid_of(SolidShape::rod, {0, 0, -500}, {0, 0, 500}, 30))};
     // Its corners are far outside, its middle passes through the rod 20 above its axis.
     const Vec3 a(-100, 20, -80), b(100, 20, -80), c(0, 20, 120);
-    EXPECT_NEAR(deepest(rods, 1, a, b, c, 5), 10, 0.5);
-    EXPECT_LT(deepest(rods, 1, a + Vec3(0, 40, 0), b + Vec3(0, 40, 0), c + Vec3(0, 40, 0), 5), -25);
-    EXPECT_LT(deepest(rods, 0, a, b, c, 5), -1e9);  // not there yet
+    EXPECT_NEAR(deepest(rods, {a, b, c}, {1, 0, 0.05}), 10, 0.05);
+    EXPECT_EQ(deepest(rods, {a, b, c}, {1, 12, 0.05}), 12);
+    EXPECT_TRUE(is_deeper(rods, {a, b, c}, {1, 9.9, 0.01}));
+    EXPECT_FALSE(is_deeper(rods, {a, b, c}, {1, 10.1, 0.01}));
+    const Vec3 up(0, 40, 0);
+    EXPECT_EQ(deepest(rods, {a + up, b + up, c + up}, {1, 0, 0.05}), 0);
+    EXPECT_EQ(deepest(rods, {a, b, c}, {0, 0, 0.05}), 0);  // not there yet
+    EXPECT_EQ(deepest({}, {a, b, c}, {1, 0, 0.05}), 0);
 }
 
 }  // namespace
