@@ -19,6 +19,7 @@ namespace {
 
 // With fewer, boxes are tested in vain; with more, faces.
 constexpr std::size_t kFacesOfLeaf = 4;
+constexpr std::size_t kDeepest = 64;  // a tree of halves, of 32-bit numbers, is no deeper
 constexpr std::uint32_t kFirstCorner = 3, kWithin = 6;  // see Nearest
 
 Vec3 unit(const Vec3& v) {
@@ -130,15 +131,11 @@ std::uint32_t SolidMesh::add_node(std::span<std::uint32_t> triangles, std::uint3
     return at;
 }
 
-double SolidMesh::Box::squared_gap(const Vec3& p) const {
-    const Vec3 off = glm::max(glm::max(low - p, p - high), Vec3(0));
-    return glm::dot(off, off);
-}
-
 // On each edge, or within where the face lies right below the point.
-SolidMesh::Nearest SolidMesh::nearest_on_face(std::uint32_t face, const Vec3& p,
-                                              Nearest best) const {
+void SolidMesh::look_at_face(std::uint32_t face, const Vec3& p, Nearest& best) const {
     const auto& [corners, normal] = faces_[face];
+    const double height = glm::dot(p - corners[0], normal);
+    if (height * height >= best.squared) return;
     const auto take = [&](const Vec3& place, std::uint32_t feature) {
         const Vec3 off = p - place;
         const double squared = glm::dot(off, off);
@@ -146,32 +143,44 @@ SolidMesh::Nearest SolidMesh::nearest_on_face(std::uint32_t face, const Vec3& p,
     };
     bool is_within = normal != Vec3(0);
     for (std::uint32_t k = 0; k < 3; ++k) {
-        const Vec3 &a = corners[k], way = corners[(k + 1) % 3] - a;
+        const Vec3 &a = corners[k], &b = corners[(k + 1) % 3], way = b - a;
         if (is_within && glm::dot(glm::cross(normal, way), p - a) >= 0) continue;
         is_within = false;
         const double along = glm::dot(p - a, way), length2 = glm::dot(way, way);
         if (along <= 0) {
             take(a, kFirstCorner + k);
         } else if (along >= length2) {
-            take(corners[(k + 1) % 3], kFirstCorner + (k + 1) % 3);
+            take(b, kFirstCorner + (k + 1) % 3);
         } else {
             take(a + way * (along / length2), k);
         }
     }
-    if (is_within) take(p - normal * glm::dot(p - corners[0], normal), kWithin);
-    return best;
+    if (is_within) take(p - normal * height, kWithin);
 }
 
-SolidMesh::Nearest SolidMesh::nearest(std::uint32_t node, const Vec3& p, Nearest best) const {
-    const Node& here = nodes_[node];
-    for (std::uint32_t i = 0; i < here.count; ++i)
-        best = nearest_on_face(here.first + i, p, best);
-    if (here.count > 0) return best;
-    std::pair<double, std::uint32_t> one{nodes_[node + 1].box.squared_gap(p), node + 1},
-        other{nodes_[here.other].box.squared_gap(p), here.other};
-    if (other < one) std::swap(one, other);
-    if (one.first < best.squared) best = nearest(one.second, p, best);
-    if (other.first < best.squared) best = nearest(other.second, p, best);
+// The nearer child first, so that most others turn out to be too far.
+SolidMesh::Nearest SolidMesh::nearest(std::uint32_t root, const Vec3& p, double within) const {
+    struct Open {
+        double gap;
+        std::uint32_t node;
+    };
+    Nearest best{within};
+    std::array<Open, kDeepest> open;
+    std::size_t count = 0;
+    open[count++] = {nodes_[root].box.squared_gap(p), root};
+    while (count > 0) {
+        const Open next = open[--count];
+        if (next.gap >= best.squared) continue;
+        const Node& node = nodes_[next.node];
+        for (std::uint32_t i = 0; i < node.count; ++i)
+            look_at_face(node.first + i, p, best);
+        if (node.count > 0) continue;
+        Open near{nodes_[next.node + 1].box.squared_gap(p), next.node + 1};
+        Open far{nodes_[node.other].box.squared_gap(p), node.other};
+        if (far.gap < near.gap) std::swap(near, far);
+        open[count++] = far;
+        open[count++] = near;
+    }
     return best;
 }
 
@@ -187,13 +196,13 @@ double SolidMesh::signed_distance(const Nearest& nearest, const Vec3& p) const {
 double SolidMesh::distance(const Vec3& p, double enough) const {
     double least = enough;
     for (const std::uint32_t root : roots_) {
-        Nearest start{std::numeric_limits<double>::infinity()};
+        double within = std::numeric_limits<double>::infinity();
         const double gap = nodes_[root].box.squared_gap(p);
         if (gap > 0) {  // outside, so only what is nearer than the least counts
             if (least <= 0 || gap >= least * least) continue;
-            start.squared = least * least;
+            within = least * least;
         }
-        const Nearest found = nearest(root, p, start);
+        const Nearest found = nearest(root, p, within);
         if (found.face != kNone) least = std::min(least, signed_distance(found, p));
     }
     return least;

@@ -6,6 +6,9 @@
 #include <span>
 #include <vector>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include "base/none.h"
 #include "mesh/mesh.h"
 
@@ -35,7 +38,10 @@ class SolidMesh {
     struct Box {
         Vec3 low{std::numeric_limits<double>::infinity()};
         Vec3 high{-std::numeric_limits<double>::infinity()};
-        double squared_gap(const Vec3& p) const;
+        double squared_gap(const Vec3& p) const {
+            const Vec3 off = glm::max(glm::max(low - p, p - high), Vec3(0));
+            return glm::dot(off, off);
+        }
     };
     struct Node {
         Box box;
@@ -52,8 +58,8 @@ class SolidMesh {
     void find_corner_normals(const Mesh& mesh, std::span<const std::uint32_t> triangles);
     std::uint32_t add_node(std::span<std::uint32_t> triangles, std::uint32_t first);
     Box box_of(std::span<const std::uint32_t> triangles) const;
-    Nearest nearest(std::uint32_t node, const Vec3& p, Nearest best) const;
-    Nearest nearest_on_face(std::uint32_t face, const Vec3& p, Nearest best) const;
+    Nearest nearest(std::uint32_t root, const Vec3& p, double within) const;
+    void look_at_face(std::uint32_t face, const Vec3& p, Nearest& best) const;
     double signed_distance(const Nearest& nearest, const Vec3& p) const;
 
     std::vector<Face> faces_;
