@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/solid_files.h"
 #include "base/error.h"
 #include "ornament/leaf.h"
 #include "style/style_xml.h"
@@ -92,7 +93,7 @@ bool check_file(const std::string& file, const Catalogue& catalogue, Console& co
     const bool is_leaf = file.ends_with(".svg");
     try {
         if (!is_leaf) {
-            read_style(catalogue.find_style(file), catalogue);
+            with_solid_files(read_style(catalogue.find_style(file), catalogue));
             return true;
         }
         const SourceText source = catalogue.find_leaf(file);

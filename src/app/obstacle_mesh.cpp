@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/stable_math.h"
+#include "mesh/add_mesh.h"
 #include "proproot/tube.h"
 #include "surface/solids.h"
 
@@ -59,6 +60,16 @@ void add_wire(Mesh& mesh, const std::string& name, const SolidParams& wire) {
     }
 }
 
+void add_from_file(Mesh& mesh, const std::string& name, const SolidParams& solid) {
+    if (!solid.mesh) return;
+    MeshPlace place;
+    place.shift = solid.from;
+    add_mesh(mesh, *solid.mesh, place);
+    mesh.uv.clear();
+    mesh.part_of.assign(mesh.triangles.size(), 0);
+    mesh.parts = {{name, 0, -1, 0, {}}};
+}
+
 }  // namespace
 
 Mesh obstacle_mesh(const SolidParams& obstacle, const std::string& name) {
@@ -75,6 +86,9 @@ Mesh obstacle_mesh(const SolidParams& obstacle, const std::string& name) {
             break;
         case SolidShape::wire:
             add_wire(mesh, name, obstacle);
+            break;
+        case SolidShape::mesh:
+            add_from_file(mesh, name, obstacle);
             break;
     }
     mesh.materials = {{"obstacle", {}}};

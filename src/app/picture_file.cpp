@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "app/solid_files.h"
 #include "app/version.h"
 #include "base/atomic_file.h"
 #include "base/fingerprint.h"
@@ -69,6 +70,8 @@ Metadata metadata_of(const TreeStyle& tree, const WriteParams& params, LeafShelf
         if (!ornament->shape.empty()) recipe.add(leaves.fingerprint(ornament->shape));
     }
     if (!style.flatten.bark_tile.empty()) recipe.add(leaves.fingerprint(style.flatten.bark_tile));
+    for (const std::string& bytes : solid_bytes(style.surface))
+        recipe.add(bytes);
     metadata.recipe = recipe.text();
     return metadata;
 }

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "app/shell_word.h"
+#include "app/solid_files.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -49,7 +50,7 @@ TreeStyle read_from_picture(const std::string& file, const Catalogue& catalogue)
         throw IoError(fmt::format("'{}' does not say which style it was drawn from", file));
     }
     const SourceText source{metadata->style_xml, "style in " + file, {}};
-    return {read_style(source, catalogue), metadata->command};
+    return {with_solid_files(read_style(source, catalogue)), metadata->command};
 }
 
 void change(Style& style, const TreeOptions& options) {
@@ -76,7 +77,7 @@ TreeStyle read_unchanged_style(const std::string& name, const Catalogue& catalog
     } else {
         source = catalogue.find_style(name);
     }
-    return {read_style(source, catalogue), draw_command(name)};
+    return {with_solid_files(read_style(source, catalogue)), draw_command(name)};
 }
 
 TreeStyle change_style(TreeStyle tree, const TreeOptions& options) {
@@ -100,11 +101,18 @@ TreeStyle read_tree_style(const TreeOptions& options, const Catalogue& catalogue
 TreeStyle read_style_beside(const std::string& name, const std::filesystem::path& folder,
                             const Catalogue& catalogue) {
     const SourceText source = catalogue.find_style(name, folder);
-    Style style = read_style(source, catalogue);
+    Style style = with_solid_files(read_style(source, catalogue));
+    const auto from_folder = [&](std::string& file) {
+        if (folder.empty() || source.folder.empty()) return;
+        const std::filesystem::path path = file;
+        file = path.lexically_proximate(folder).lexically_normal().generic_string();
+    };
     for (OrnamentParams* ornament : {&style.leaf, &style.blossom, &style.fruit}) {
-        const std::filesystem::path shape = ornament->shape;
-        if (folder.empty() || source.folder.empty() || !shape.has_parent_path()) continue;
-        ornament->shape = shape.lexically_proximate(folder).lexically_normal().generic_string();
+        if (std::filesystem::path(ornament->shape).has_parent_path()) from_folder(ornament->shape);
+    }
+    for (std::vector<SolidParams>* solids : {&style.surface.hollows, &style.surface.obstacles}) {
+        for (SolidParams& solid : *solids)
+            if (!solid.file.empty()) from_folder(solid.file);
     }
     return {std::move(style), draw_command(name)};
 }

@@ -10,7 +10,7 @@
 
 namespace edaha {
 
-// The style that a command line asks for, with all that it changes.
+// The style that a command line asks for, with all that it changes, and the meshes that it names.
 struct TreeStyle {
     Style style;
     std::string command;  // that draws it again; for an SVG, how that was drawn and what is changed
@@ -26,9 +26,9 @@ TreeStyle read_unchanged_style(const std::string& name, const Catalogue& catalog
                                Console& console);
 TreeStyle change_style(TreeStyle tree, const TreeOptions& options);
 
-// The style that a file in `folder` calls `name`: one of the catalogue, or a style file. Command
-// and leaf drawings are as seen from there, wherever the program runs. Errors: InputError and
-// IoError.
+// The style that a file in `folder` calls `name`: one of the catalogue, or a style file. Command,
+// leaf drawings and meshes are as seen from there, wherever the program runs. Errors: InputError
+// and IoError.
 TreeStyle read_style_beside(const std::string& name, const std::filesystem::path& folder,
                             const Catalogue& catalogue);
 

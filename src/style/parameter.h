@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,7 +50,11 @@ using Tint = Access<Colour>;
 using Reference = Access<std::string>;  // a drawing: its name in the catalogue, or a path
 using Spot = Access<glm::dvec3>;        // x y z
 
-using Field = std::variant<Number, Integer, Flag, Choice, Interval, ByOrder, Tint, Reference, Spot>;
+// A file beside the style, or none.
+struct MeshReference : Access<std::string> {};
+
+using Field = std::variant<Number, Integer, Flag, Choice, Interval, ByOrder, Tint, Reference, Spot,
+                           MeshReference>;
 
 struct Parameter {
     std::string group;
@@ -80,6 +85,8 @@ struct ParameterList {
     std::vector<Parameter> parameters;
     std::function<std::size_t(const Style&)> size;
     std::function<void(Style&, std::size_t)> resize;
+    // Why the last item's values don't go together, if they don't.
+    std::function<std::optional<std::string>(const Style&)> fault;
 };
 
 // The element of a style file that holds the L-system of surface growth as text.

@@ -62,6 +62,12 @@ class RowWriter {
             {group_, row.name, Field(access<Value>(member)), {}, row.help, row.source, {}});
     }
 
+    template <class Params>
+    void add_mesh(std::string Params::*member, const PlainRow& row) {
+        MeshReference file{access<std::string>(member)};
+        rows_.push_back({group_, row.name, Field(std::move(file)), {}, row.help, row.source, {}});
+    }
+
     template <class Params, class Value>
     requires(std::is_enum_v<Value>) void add(Value Params::*member, const ChoiceRow& row) {
         Choice choice{access<std::size_t>(member), row.names};

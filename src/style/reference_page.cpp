@@ -24,6 +24,7 @@ The root's attribute `models` says what grows: `energy` (if it is left out), `pr
 - A *list by order* is `0 20 45`: for the trunk, its limbs, theirs; the last holds for all above.
 - A *colour* is `#rrggbb`. Further `<palette name="dark">` elements change some colours of the main one.
 - A *drawing* is a name that `edaha leaves` lists, or an SVG file beside the style.
+- A *mesh* is an OBJ or PLY file beside the style.
 - A *point* is `x y z` in space, y up.
 - `<burl/>`, `<hollow/>` and `<obstacle/>` may stand there any number of times; in a style that extends
   another they take the place of all the other's. The text of `<rules>` is the L-system of surface growth:

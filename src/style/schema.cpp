@@ -71,6 +71,7 @@ struct TypeWriter {
     }
     void operator()(const Tint&) const { restrict_to_pattern(attribute, "#[0-9a-fA-F]{6}"); }
     void operator()(const Reference&) const { restrict(attribute, "xs:string"); }
+    void operator()(const MeshReference&) const { restrict(attribute, "xs:string"); }
     void operator()(const Spot&) const {
         restrict_to_pattern(attribute, fmt::format("({0}\\s+){{2}}{0}", kNumberPattern));
     }

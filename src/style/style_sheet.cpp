@@ -2,6 +2,7 @@
 #include "style/style_sheet.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <span>
@@ -223,9 +224,20 @@ class SheetReader {
         }
         if (sheet_.items.size() >= kMostItems) return;
         StyleSheet::Item item{&list, {}};
+        const std::size_t problems = found_.size();
         for (const pugi::xml_attribute attribute : node.attributes())
             read_value(node, attribute, list.name, list.parameters, item.values);
+        if (found_.size() == problems) check_together(node, item);
         sheet_.items.push_back(std::move(item));
+    }
+
+    void check_together(pugi::xml_node node, const StyleSheet::Item& item) {
+        item.list->resize(scratch_, 0);
+        item.list->resize(scratch_, 1);
+        for (const StyleSheet::Value& value : item.values)
+            assign(scratch_, *value.parameter, value.text);
+        if (const auto fault = item.list->fault(scratch_))
+            say(offset_of(node), item.list->name + ": " + *fault);
     }
 
     void read_rules(pugi::xml_node node, std::vector<std::string>& seen) {
@@ -308,6 +320,15 @@ class SheetReader {
     // A reference becomes one from the working folder.
     std::optional<std::string> take(const Parameter& parameter, std::string& text) {
         if (auto wrong = assign(scratch_, parameter, text)) return wrong;
+        if (std::holds_alternative<MeshReference>(parameter.field)) {
+            const std::string written = value_text(scratch_, parameter);
+            if (written.empty()) return std::nullopt;
+            const std::filesystem::path path = source_.folder / written;
+            text = path.generic_string();
+            std::error_code ignored;
+            if (std::filesystem::is_regular_file(path, ignored)) return std::nullopt;
+            return fmt::format("there is no file {}", in_quotes(written));
+        }
         if (!std::holds_alternative<Reference>(parameter.field)) return std::nullopt;
         const std::string written = value_text(scratch_, parameter);
         text = resolve_leaf(written, source_.folder);

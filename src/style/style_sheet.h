@@ -44,7 +44,8 @@ struct StyleSheet {
 inline constexpr std::size_t kMostProblems = 100;
 
 // Reads all of it, whatever is wrong: what is unknown, given twice, text, out of range … is a
-// problem, never skipped. A reference to a drawing must lead to one. Cost: linear in the text.
+// problem, never skipped. A reference to a drawing or a mesh must lead to a file. Cost: linear in
+// the text.
 StyleSheet read_style_sheet(const SourceText& source, const Catalogue& catalogue);
 
 }  // namespace edaha

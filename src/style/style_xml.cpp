@@ -120,8 +120,10 @@ void write_list(pugi::xml_node tree, const Style& style, const ParameterList& li
         part.surface = style.surface;
         list.resize(part, i + 1);
         pugi::xml_node node = tree.append_child(list.name.c_str());
-        for (const Parameter& parameter : list.parameters)
-            node.append_attribute(parameter.name.c_str()) = value_text(part, parameter).c_str();
+        for (const Parameter& parameter : list.parameters) {
+            const std::string text = value_text(part, parameter);
+            if (!text.empty()) node.append_attribute(parameter.name.c_str()) = text.c_str();
+        }
     }
 }
 

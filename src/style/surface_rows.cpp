@@ -50,24 +50,39 @@ std::vector<Parameter> solid_rows(const std::string& group, const char* source, 
     using P = SolidParams;
     RowWriter rows(group, reach);
     // clang-format off
-    rows.add(&P::shape, {"shape", {"plane", "box", "ball", "rod", "wire"}, source,
-        "what it is; a wire is a rod in zigzag"});
+    rows.add(&P::shape, {"shape", {"plane", "box", "ball", "rod", "wire", "mesh"}, source,
+        "what it is; a wire is a rod in zigzag, a mesh comes from a file"});
     rows.add(&P::from, {"from", mm(-kFar, kFar), kOurs,
-        "x y z, y up: an end, a corner, the middle of a ball, a point of a plane"});
+        "x y z, y up: an end, a corner, the middle of a ball, a point of a plane, the origin of a mesh"});
     rows.add(&P::to, {"to", mm(-kFar, kFar), kOurs,
         "x y z: the other end or corner; a plane faces from there"});
     rows.add(&P::radius_mm, {"radius", mm(0.1, kFar), kOurs, "of a ball, a rod, a wire"});
     rows.add(&P::step, {"step", {1, 1e6}, kOurs, "from which on it is there"});
+    rows.add_mesh(&P::file, {"file", kOurs, "of a mesh: closed, in mm, y up"});
     // clang-format on
     return rows.take();
+}
+
+std::optional<std::string> fault_of(const BurlPlace&) {
+    return std::nullopt;
+}
+
+std::optional<std::string> fault_of(const SolidParams& solid) {
+    const bool is_mesh = solid.shape == SolidShape::mesh;
+    if (is_mesh && solid.file.empty()) return "shape=\"mesh\" needs a file";
+    if (!is_mesh && !solid.file.empty()) return "only shape=\"mesh\" has a file";
+    return std::nullopt;
 }
 
 template <class Item>
 ParameterList list_of(std::string name, std::string help, std::vector<Item> SurfaceParams::*items,
                       std::vector<Parameter> rows) {
-    return {std::move(name), std::move(help), std::move(rows),
+    return {std::move(name),
+            std::move(help),
+            std::move(rows),
             [items](const Style& style) { return (style.surface.*items).size(); },
-            [items](Style& style, std::size_t size) { (style.surface.*items).resize(size); }};
+            [items](Style& style, std::size_t size) { (style.surface.*items).resize(size); },
+            [items](const Style& style) { return fault_of(last_of(style.surface.*items)); }};
 }
 
 std::vector<Parameter> sprig_rows() {

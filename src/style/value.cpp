@@ -250,6 +250,10 @@ struct Assignment {
         field.set(style, std::string(text));
         return {};
     }
+
+    Wrong operator()(const MeshReference& field) const {
+        return (*this)(static_cast<const Reference&>(field));
+    }
 };
 
 }  // namespace
@@ -281,6 +285,7 @@ std::string value_text(const Style& style, const Parameter& parameter) {
               },
               [&](const Tint& field) { return colour_text(field.get(style)); },
               [&](const Reference& field) { return field.get(style); },
+              [&](const MeshReference& field) { return field.get(style); },
               [&](const Spot& field) {
                   const glm::dvec3 spot = field.get(style);
                   return shortest_text(spot.x) + ' ' + shortest_text(spot.y) + ' ' +
@@ -302,14 +307,15 @@ std::string expected_text(const Parameter& parameter) {
               },
               [](const Tint&) { return std::string("#rrggbb"); },
               [](const Reference&) { return std::string("a drawing's name or path"); },
+              [](const MeshReference&) { return std::string("an OBJ or PLY file"); },
               [&](const Spot&) { return "x y z, each " + limits_text(limits); }},
         parameter.field);
 }
 
 std::string kind_text(const Parameter& parameter) {
-    constexpr const char* kKinds[] = {"number", "whole number", "yes or no",
-                                      "choice", "range",        "list by order",
-                                      "colour", "drawing",      "point"};
+    constexpr const char* kKinds[] = {"number", "whole number",  "yes or no", "choice",
+                                      "range",  "list by order", "colour",    "drawing",
+                                      "point",  "mesh"};
     static_assert(std::size(kKinds) == std::variant_size_v<Field>);
     return kKinds[parameter.field.index()];
 }

@@ -21,7 +21,7 @@ std::string value_text(const Style& style, const Parameter& parameter);
 // "1 … 1e6", "0.5 … 100 mm", "yes or no", "A or B", "#rrggbb".
 std::string expected_text(const Parameter& parameter);
 
-// "number", "whole number", "yes or no", "choice", "range", "list by order", "colour", "drawing".
+// "number", "whole number", "yes or no", "choice", "range", "list by order", "colour", "drawing" ….
 std::string kind_text(const Parameter& parameter);
 
 // A piece of somebody's text for a message: in single quotes, cut after 40 characters, without

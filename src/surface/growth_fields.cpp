@@ -17,9 +17,14 @@ namespace edaha {
 namespace {
 
 constexpr std::size_t kWorthThreads = 2000;
-constexpr double kSkin_mm = 0.5;     // touching is nearer than that
-constexpr double kDeep = 0.1;        // of T_m: how far faces may reach into obstacles
-constexpr double kSampling = 0.125;  // of T_m: how finely that is looked for
+constexpr double kSkin_mm = 0.5;  // touching is nearer than that
+// Of T_m: how far faces may reach into obstacles, and how exactly that is known. Together below the
+// tenth that must hold, as corners stop one by one and their faces turn; with much less, bark can't
+// close round what is thin. More exactly, faces that lie against an obstacle take longer than all
+// else.
+constexpr double kDeep = 0.065;
+constexpr double kDepthTolerance = 0.03;
+constexpr double kReported_mm = 0.2;  // at the end, and where T_m is next to nothing
 
 Vec3 unit(const Vec3& v) {
     const double length = glm::length(v);
@@ -184,15 +189,9 @@ bool GrowthFields::is_alone(std::span<const Vec3> centres, const Vec3& p) const 
         centres, [&](const Vec3& other) { return glm::distance(other, p) < params_.burl_core_mm; });
 }
 
-bool GrowthFields::is_far(const Vec3& a, const Vec3& b, const Vec3& c) const {
-    return obstacles_.empty() ||
-           least_distance(obstacles_, step_, (a + b + c) / 3.0) > 2 * params_.split_mm;
-}
-
 bool GrowthFields::is_barred(const Vec3& a, const Vec3& b, const Vec3& c) const {
-    if (is_far(a, b, c)) return false;
-    return deepest(obstacles_, step_, a, b, c, kSampling * params_.merge_mm) >
-           kDeep * params_.merge_mm;
+    const double tolerance = std::max(kDepthTolerance * params_.merge_mm, kReported_mm);
+    return is_deeper(obstacles_, {a, b, c}, {step_, kDeep * params_.merge_mm, tolerance});
 }
 
 void GrowthFields::stop_at_obstacles(const GrowingMesh& mesh, std::vector<Vec3>& moves) {
@@ -203,10 +202,11 @@ void GrowthFields::stop_at_obstacles(const GrowingMesh& mesh, std::vector<Vec3>&
         const auto v = static_cast<std::uint32_t>(i);
         if (!mesh.is_vertex(v)) return;
         const Vec3& p = mesh.position[v];
-        const double now = least_distance(obstacles_, step_, p);
+        const double reach = glm::length(moves[v]) + kSkin_mm;
+        const double now = least_distance(obstacles_, step_, p, std::max(reach, params_.split_mm));
         near_[v] = now < params_.split_mm;
-        if (now > glm::length(moves[v]) + kSkin_mm) return;
-        const double then = least_distance(obstacles_, step_, p + moves[v]);
+        if (now >= reach) return;
+        const double then = least_distance(obstacles_, step_, p + moves[v], kSkin_mm);
         if (then >= kSkin_mm) return;
         // Straight to the surface, or not at all.
         const double part = now <= kSkin_mm ? 0 : (now - kSkin_mm) / (now - then);
@@ -254,11 +254,9 @@ double GrowthFields::deepest_mm(const GrowingMesh& mesh) const {
     double most = 0;
     for (std::size_t f = 0; f < mesh.origin.size() / 3; ++f) {
         if (mesh.origin[3 * f] == kNone) continue;
-        const Vec3 &a = mesh.position[mesh.origin[3 * f]],
-                   &b = mesh.position[mesh.origin[3 * f + 1]],
-                   &c = mesh.position[mesh.origin[3 * f + 2]];
-        if (is_far(a, b, c)) continue;
-        most = std::max(most, deepest(obstacles_, step_, a, b, c, kSampling * params_.merge_mm));
+        const std::uint32_t* v = &mesh.origin[3 * f];
+        most = deepest(obstacles_, {mesh.position[v[0]], mesh.position[v[1]], mesh.position[v[2]]},
+                       {step_, most, kReported_mm});
     }
     return most;
 }

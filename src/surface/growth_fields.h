@@ -57,7 +57,6 @@ class GrowthFields {
     std::vector<BurlSphere> spheres(const GrowingMesh& mesh) const;
     bool is_at_pith(const GrowingMesh& mesh, std::span<const Apex> apices, std::uint32_t v) const;
     bool is_alone(std::span<const Vec3> centres, const Vec3& p) const;
-    bool is_far(const Vec3& a, const Vec3& b, const Vec3& c) const;
 
     const SurfaceParams params_;
     std::vector<BurlPlace> places_;  // the user's and the random ones

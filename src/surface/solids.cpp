@@ -28,6 +28,66 @@ double to_box(const Vec3& p, const Vec3& low, const Vec3& high) {
     return inside < 0 ? inside : glm::length(glm::max(off, Vec3(0)));
 }
 
+using Corners = std::array<Vec3, 3>;
+
+// Depth changes by no more than one goes: from the depth in the middle of a triangle follows how
+// deep it can be at most. Where that is too much to be left, both halves are looked at.
+class DepthSearch {
+  public:
+    DepthSearch(std::span<const Solid> solids, const DepthParams& params)
+        : solids_(solids), params_(params) {}
+
+    // The depth, or the most so far.
+    double look(const Corners& corners, double most) const {
+        const Outlook at = look_round(corners, most);
+        if (at.is_settled) return std::max(most, at.depth);
+        const auto halves = halves_of(corners);
+        return look(halves[1], look(halves[0], std::max(most, at.depth)));
+    }
+
+    // Whether the depth is more than the least. Stops at the first place that shows it.
+    bool is_more(const Corners& corners) const {
+        const Outlook at = look_round(corners, params_.least);
+        if (at.depth > params_.least) return true;
+        if (at.is_settled) return false;
+        const auto halves = halves_of(corners);
+        return is_more(halves[0]) || is_more(halves[1]);
+    }
+
+  private:
+    static double squared(const Vec3& v) { return glm::dot(v, v); }
+
+    struct Outlook {
+        double depth;     // in the middle
+        bool is_settled;  // nothing is deeper than that, or than the most, by the tolerance
+    };
+
+    Outlook look_round(const Corners& corners, double most) const {
+        const auto& [a, b, c] = corners;
+        const Vec3 middle = (a + b + c) / 3.0;
+        const double reach =
+            std::sqrt(std::max({squared(a - middle), squared(b - middle), squared(c - middle)}));
+        const double enough = reach - most - params_.tolerance_mm;
+        const double distance = least_distance(solids_, params_.step, middle, enough);
+        return {-distance, distance >= enough || reach <= params_.tolerance_mm};
+    }
+
+    // Of the longest edge.
+    static std::array<Corners, 2> halves_of(const Corners& corners) {
+        const auto& [a, b, c] = corners;
+        const double ab = squared(b - a), bc = squared(c - b), ca = squared(a - c);
+        if (ab >= bc && ab >= ca) return halves_at(a, b, c);
+        return bc >= ca ? halves_at(b, c, a) : halves_at(c, a, b);
+    }
+    static std::array<Corners, 2> halves_at(const Vec3& a, const Vec3& b, const Vec3& c) {
+        const Vec3 between = (a + b) / 2.0;
+        return {Corners{a, between, c}, Corners{between, b, c}};
+    }
+
+    std::span<const Solid> solids_;
+    const DepthParams& params_;
+};
+
 }  // namespace
 
 std::vector<Vec3> wire_corners(const SolidParams& wire) {
@@ -47,9 +107,11 @@ std::vector<Vec3> wire_corners(const SolidParams& wire) {
 
 Solid::Solid(const SolidParams& params) : params_(params) {
     if (params.shape == SolidShape::wire) corners_ = wire_corners(params);
+    if (params.shape == SolidShape::mesh && params.mesh)
+        mesh_ = std::make_shared<const SolidMesh>(*params.mesh);
 }
 
-double Solid::distance(const Vec3& p) const {
+double Solid::distance(const Vec3& p, double enough) const {
     const Vec3 &from = params_.from, &to = params_.to;
     switch (params_.shape) {
         case SolidShape::plane: {
@@ -68,6 +130,8 @@ double Solid::distance(const Vec3& p) const {
                 least = std::min(least, to_segment(p, corners_[i - 1], corners_[i]));
             return least - params_.radius_mm;
         }
+        case SolidShape::mesh:
+            return mesh_ ? mesh_->distance(p - from, enough) : enough;
     }
     return std::numeric_limits<double>::infinity();
 }
@@ -83,32 +147,24 @@ Vec3 Solid::outward(const Vec3& p) const {
     return length > 0 ? gradient / length : Vec3(0, 1, 0);
 }
 
-double least_distance(std::span<const Solid> solids, std::int64_t step, const Vec3& p) {
+double least_distance(std::span<const Solid> solids, std::int64_t step, const Vec3& p,
+                      double enough) {
     double least = std::numeric_limits<double>::infinity();
     for (const Solid& solid : solids) {
-        if (solid.step() <= step) least = std::min(least, solid.distance(p));
+        if (solid.step() <= step)
+            least = std::min(least, solid.distance(p, std::min(least, enough)));
     }
     return least;
 }
 
-double deepest(std::span<const Solid> solids, std::int64_t step, const Vec3& a, const Vec3& b,
-               const Vec3& c, double spacing) {
-    const Vec3 middle = (a + b + c) / 3.0;
-    const double reach =
-        std::max({glm::distance(middle, a), glm::distance(middle, b), glm::distance(middle, c)});
-    const double near = least_distance(solids, step, middle);
-    if (near > reach) return reach - near;
-    const double longest =
-        std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
-    const int n = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
-    double least = near;
-    for (int i = 0; i <= n; ++i) {
-        for (int j = 0; i + j <= n; ++j) {
-            const double u = double(i) / n, v = double(j) / n;
-            least = std::min(least, least_distance(solids, step, a + (b - a) * u + (c - a) * v));
-        }
-    }
-    return -least;
+double deepest(std::span<const Solid> solids, const std::array<Vec3, 3>& corners,
+               const DepthParams& params) {
+    return DepthSearch(solids, params).look(corners, params.least);
+}
+
+bool is_deeper(std::span<const Solid> solids, const std::array<Vec3, 3>& corners,
+               const DepthParams& params) {
+    return DepthSearch(solids, params).is_more(corners);
 }
 
 }  // namespace edaha

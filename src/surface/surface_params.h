@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -8,6 +9,8 @@
 #include <glm/vec3.hpp>
 
 namespace edaha {
+
+struct Mesh;
 
 // A burl sphere that a user places (section 6): its centre is the cambium vertex nearest to a point
 // of the trunk's surface at the step `from`, and moves with it.
@@ -20,17 +23,19 @@ struct BurlPlace {
     std::int64_t from = 1;   // step
 };
 
-enum class SolidShape { plane, box, ball, rod, wire };
+enum class SolidShape { plane, box, ball, rod, wire, mesh };
 
 // A solid, as an obstacle (section 8) or as the region of a hollow (section 7). A plane is solid
 // below it, square to `to - from`; a box has those as opposite corners; a ball its middle at
-// `from`; a rod is round, with round ends, from `from` to `to`; a wire is a rod in zigzag.
+// `from`; a rod is round, with round ends, from `from` to `to`; a wire is a rod in zigzag; a mesh
+// has its origin at `from`.
 struct SolidParams {
     SolidShape shape = SolidShape::rod;
     glm::dvec3 from{0}, to{0, 1000, 0};
     double radius_mm = 40;
-    std::string file;       // mesh: OBJ or PLY
-    std::int64_t step = 1;  // from which on it is there
+    std::int64_t step = 1;             // from which on it is there
+    std::string file;                  // of a mesh: OBJ or PLY
+    std::shared_ptr<const Mesh> mesh;  // what that holds, closed; nothing is there without
 };
 
 // What a tree grows by whose surface grows, after Mizoguchi & Miyata 2014 [P]; the rest is ours

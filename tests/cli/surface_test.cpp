@@ -85,5 +85,66 @@ TEST_F(SurfaceCommands, ChecksLists) {
            "bad.xml:2:9: burl.strenth: no such parameter (did you mean 'strength'?)\n", "");
 }
 
+// Four sides of a cube of 100 mm; with both ends closed.
+const std::string kOpen =
+    "v 0 0 0\nv 100 0 0\nv 0 100 0\nv 100 100 0\nv 0 0 100\nv 100 0 100\nv 0 100 100\n"
+    "v 100 100 100\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\n";
+const std::string kCube = kOpen + "f 1 5 7 3\nf 2 4 8 6\n";
+
+std::string with_obstacle(const std::string& attributes) {
+    return "<tree name=\"walled\" models=\"surface\">\n  <obstacle " + attributes +
+           "/>\n  <surface steps=\"12\"/>\n  <page size=\"60\"/>\n</tree>\n";
+}
+
+TEST_F(SurfaceCommands, DrawsObstaclesFromFilesBesideTheStyle) {
+    std::filesystem::create_directory(folder_ / "rocks");
+    write("rocks/cube.obj", kCube);
+    write("rocks/walled.xml", with_obstacle("shape=\"mesh\" file=\"cube.obj\" from=\"300 0 0\""));
+    expect("edaha draw rocks/walled.xml", 0, "", "edaha: wrote walled.svg\n");
+    const std::string svg = read("walled.svg");
+    EXPECT_NE(svg.find("id=\"obstacle-1\""), std::string::npos);
+    EXPECT_NE(svg.find("file=\"rocks/cube.obj\""), std::string::npos);
+    expect("edaha draw walled.svg -o again.svg", 0, "", "");
+    EXPECT_EQ(read("again.svg"), svg);
+    expect("edaha check rocks/walled.xml", 0, "", "");
+}
+
+TEST_F(SurfaceCommands, RefusesFilesThatAreNoSolids) {
+    write("open.obj", kOpen);
+    write("crowded.obj", kCube + "v 9 9 300\nf 5 6 9\n");
+    write("text.obj", "hello\n");
+    write("text.ply", "hello\n");
+    write("cube.stl", "solid cube\n");
+    const auto expect_refused = [&](const std::string& file, const std::string& err) {
+        write("walled.xml", with_obstacle("shape=\"mesh\" file=\"" + file + "\""));
+        expect("edaha draw walled.xml", 1, "", err);
+        expect("edaha check walled.xml", 1, err, "");
+    };
+    expect_refused("open.obj", "open.obj: the mesh bounds no solid: 8 open edges\n");
+    expect_refused("crowded.obj",
+                   "crowded.obj: the mesh bounds no solid: 2 open edges, "
+                   "1 edge of more than two triangles\n");
+    expect_refused("text.obj", "text.obj:2:1: there are no faces\n");
+    expect_refused("text.ply", "text.ply:1:1: this is no PLY file (expected 'ply')\n");
+    expect_refused("cube.stl", "cube.stl: the ending is no mesh (expected obj or ply)\n");
+    expect_refused("none.obj", "walled.xml:2:26: obstacle.file: there is no file 'none.obj'\n");
+}
+
+TEST_F(SurfaceCommands, MeshesAndFilesGoTogether) {
+    write("cube.obj", kCube);
+    write("walled.xml", with_obstacle("shape=\"mesh\""));
+    expect("edaha draw walled.xml", 1, "",
+           "walled.xml:2:4: obstacle: shape=\"mesh\" needs a file\n");
+    write("walled.xml", with_obstacle("shape=\"rod\" file=\"cube.obj\""));
+    expect("edaha draw walled.xml", 1, "",
+           "walled.xml:2:4: obstacle: only shape=\"mesh\" has a file\n");
+    expect("edaha explain hollow.file", 0,
+           "hollow.file: of a mesh: closed, in mm, y up\n"
+           "  value    mesh: an OBJ or PLY file\n"
+           "  default  (empty)\n"
+           "  source   Edaha\n",
+           "");
+}
+
 }  // namespace
 }  // namespace edaha

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From a style that grows by its surface to its pictures.
 #include <algorithm>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,15 @@ TEST(SurfacePicture, ObstaclesAreClosedAndOneSided) {
         EXPECT_EQ(report.open_edges, 0U) << static_cast<int>(shape);
         EXPECT_EQ(report.inverted_pieces, 0U) << static_cast<int>(shape);
     }
+    solid.shape = SolidShape::mesh;
+    EXPECT_TRUE(obstacle_mesh(solid, "obstacle-1").triangles.empty());
+    SolidParams box = solid;
+    box.shape = SolidShape::box;
+    solid.mesh = std::make_shared<const Mesh>(obstacle_mesh(box, "box"));
+    const Mesh moved = obstacle_mesh(solid, "obstacle-1");
+    EXPECT_TRUE(validate(moved).sound());
+    EXPECT_EQ(moved.points.front(), solid.mesh->points.front() + solid.from);
+    EXPECT_EQ(moved.parts.front().name, "obstacle-1");
     solid.shape = SolidShape::plane;
     EXPECT_TRUE(obstacle_mesh(solid, "obstacle-1").triangles.empty());
 }

@@ -48,6 +48,22 @@ TEST(SurfaceStyle, WritesAllOfItself) {
     EXPECT_EQ(again.models, std::vector{Model::surface});
 }
 
+TEST(SurfaceStyle, MeshesAreBesideTheirStyle) {
+    const test::TemporaryFolder folder;
+    test::write_whole(folder / "rock.obj", "");
+    test::write_whole(folder / "own.xml",
+                      "<tree name='own' models='surface'><obstacle/>"
+                      "<obstacle shape='mesh' file='rock.obj' from='1 2 3'/></tree>");
+    const Catalogue catalogue;
+    const Style style = read_style(catalogue.find_style(folder / "own.xml"), catalogue);
+    ASSERT_EQ(style.surface.obstacles.size(), 2U);
+    EXPECT_EQ(style.surface.obstacles[1].file, folder / "rock.obj");
+    EXPECT_EQ(style.surface.obstacles[1].mesh, nullptr);  // who draws reads it
+    const std::string xml = to_xml(style);
+    EXPECT_EQ(to_xml(read_text(xml)), xml);
+    EXPECT_EQ(xml.find("file=\"\""), std::string::npos);
+}
+
 TEST(SurfaceStyle, AListTakesThePlaceOfTheBases) {
     const test::TemporaryFolder folder;
     test::write_whole(folder / "base.xml",

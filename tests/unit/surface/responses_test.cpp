@@ -9,24 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "surface/move.h"
-#include "surface/surface_growth.h"
+#include "unit/surface/grown.h"
 
 namespace edaha {
 namespace {
-
-SurfaceParams trunk() {
-    SurfaceParams params;
-    params.rules = "axiom: A\nA -> A\n";
-    params.steps = 60;
-    return params;
-}
-
-SurfaceGrowth grown(const SurfaceParams& params) {
-    SurfaceGrowth growth(params, KeyedRandom(1, 1, 1));
-    while (growth.steps() < params.steps)
-        growth.step();
-    return growth;
-}
 
 std::vector<Vec3> vertices(const SurfaceGrowth& growth,
                            const std::function<bool(std::uint32_t)>& wanted) {
@@ -46,7 +32,7 @@ double distance_from_axis(const Vec3& p) {
 }
 
 SurfaceParams with_burl(double strength, double radius_mm) {
-    SurfaceParams params = trunk();
+    SurfaceParams params = trunk(60);
     BurlPlace burl;
     burl.height_mm = 1200;
     burl.strength = strength;
@@ -116,7 +102,7 @@ double twist(const SurfaceGrowth& growth) {
 TEST(Responses, PhloemTwistsWithItsRate) {
     double before = 0;
     for (const double rate : {0.0, 0.0002, 0.0004, 0.0008}) {
-        SurfaceParams params = trunk();
+        SurfaceParams params = trunk(60);
         params.winding_rad = rate;
         const double turned = twist(grown(params));
         EXPECT_TRUE(rate == 0 || turned > 1.3 * before) << turned;
@@ -125,7 +111,7 @@ TEST(Responses, PhloemTwistsWithItsRate) {
 }
 
 SurfaceParams with_hollow() {
-    SurfaceParams params = trunk();
+    SurfaceParams params = trunk(60);
     params.steps = 70;
     params.thickening_mm = 8;
     SolidParams hollow;
@@ -188,7 +174,7 @@ TEST(Responses, WoundsCloseWithTheirTendency) {
 // does beside it (eq. 10), on average. How soon a rod is swallowed does not follow from that alone:
 // lips that come to it sooner stop at it sooner.
 TEST(Responses, LipsTurnToTheObstacleTheMoreTheyWrap) {
-    SurfaceParams params = trunk();
+    SurfaceParams params = trunk(60);
     params.thickening_mm = 8;
     params.wrapping = 0;
     SolidParams rod;
