@@ -55,6 +55,7 @@ set(EDAHA_STYLES
   paper/surface-fig25c
   paper/surface-fig26a
   paper/surface-fig26b
+  paper/surface-fig26c
   paper/surface-fig27a
   paper/surface-fig27b
   paper/surface-fig27c

@@ -41,15 +41,26 @@ BurlField::BurlField(std::span<const BurlSphere> spheres) : spheres_(spheres) {
     }
 }
 
-double BurlField::factor(const Vec3& p) const {
-    if (cells_.empty()) return 1;
+std::span<const std::uint32_t> BurlField::near(const Vec3& p) const {
+    if (cells_.empty()) return {};
     const Vec3 at = glm::floor(p / cell_);
     const auto cell = cells_.find(cell_key(at.x, at.y, at.z));
+    if (cell == cells_.end()) return {};
+    return cell->second;
+}
+
+double BurlField::factor(const Vec3& p) const {
     double sum = 1;
-    if (cell == cells_.end()) return sum;
-    for (const std::uint32_t i : cell->second)
+    for (const std::uint32_t i : near(p))
         sum += burl_gain(p, spheres_[i]);
     return sum;
+}
+
+double BurlField::largest(const Vec3& p) const {
+    double most = 0;
+    for (const std::uint32_t i : near(p))
+        most = std::max(most, burl_gain(p, spheres_[i]));
+    return most;
 }
 
 }  // namespace edaha

@@ -26,8 +26,12 @@ class BurlField {
 
     // 1 + sum of K, in the spheres' order. O(spheres nearby).
     double factor(const Vec3& p) const;
+    // The largest K at a place, 0 without any. O(spheres nearby).
+    double largest(const Vec3& p) const;
 
   private:
+    std::span<const std::uint32_t> near(const Vec3& p) const;
+
     std::span<const BurlSphere> spheres_;
     double cell_ = 1;
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;  // looked up only

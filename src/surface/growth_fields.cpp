@@ -25,6 +25,10 @@ constexpr double kSkin_mm = 0.5;  // touching is nearer than that
 constexpr double kDeep = 0.065;
 constexpr double kDepthTolerance = 0.03;
 constexpr double kReported_mm = 0.2;  // at the end, and where T_m is next to nothing
+// A contact presses where the ways off the obstacle of what touches it, on average, are longer than
+// this: 1 on one side of it, 0 all round it. With 0.5 the lips stop before they meet, and leave
+// dents; with 0 what lies all round a rod goes on swelling along it without end.
+constexpr double kOneSided = 0.25;
 
 Vec3 unit(const Vec3& v) {
     const double length = glm::length(v);
@@ -129,9 +133,6 @@ std::vector<BurlSphere> GrowthFields::spheres(const GrowingMesh& mesh) const {
     std::vector<BurlSphere> all;
     for (const Centre& centre : centres_)
         all.push_back({mesh.position[centre.vertex], centre.radius, centre.core, centre.strength});
-    for (const Vec3& contact : contact_centres_)
-        all.push_back(
-            {contact, params_.contact_radius_mm, params_.burl_core_mm, params_.contact_strength});
     if (!params_.rim || hollows_.empty()) return all;
     std::vector<Vec3> rim;
     for (std::uint32_t v = 0; v < mesh.out.size(); ++v) {
@@ -157,7 +158,7 @@ bool GrowthFields::is_at_pith(const GrowingMesh& mesh, std::span<const Apex> api
 std::vector<Vec3> GrowthFields::moves(const GrowingMesh& mesh, std::span<const Apex> apices,
                                       std::span<const Vec3> normals) const {
     const std::vector<BurlSphere> all = spheres(mesh);
-    const BurlField field(all);
+    const BurlField field(all), pressed(contacts_);
     std::vector<Vec3> result(mesh.position.size(), Vec3(0));
     for_each_index(result.size(), kWorthThreads, [&](std::size_t i) {
         const auto v = static_cast<std::uint32_t>(i);
@@ -173,17 +174,22 @@ std::vector<Vec3> GrowthFields::moves(const GrowingMesh& mesh, std::span<const A
             if (mesh.tissue[other] == Tissue::xylem) to_xylem += way;
             if (other < touches_.size() && touches_[other] != 0) to_touching += way;
         });
+        // Where it points back into the wood it would only hold the lips up, the more the larger
+        // B is: that part of it is left out [E].
+        to_touching = unit(to_touching);
+        to_touching -= std::min(0.0, glm::dot(to_touching, normals[v])) * normals[v];
         // Eqs. 9, 10; without either, eq. 4.
         const Vec3 way =
-            normals[v] + params_.closing * unit(to_xylem) + params_.wrapping * unit(to_touching);
-        result[v] = field.factor(mesh.position[v]) * mesh.thickening[v] * way;  // eq. 6
+            normals[v] + params_.closing * unit(to_xylem) + params_.wrapping * to_touching;
+        const Vec3& p = mesh.position[v];
+        result[v] = (field.factor(p) + pressed.largest(p)) * mesh.thickening[v] * way;  // eq. 6
         const double length = glm::length(result[v]), most = params_.merge_mm / 2;
         if (length > most) result[v] *= most / length;
     });
     return result;
 }
 
-// Spheres of rims and contacts stand R' apart: one a vertex would add up without end.
+// Spheres of rims stand R' apart: one a vertex would add up without end.
 bool GrowthFields::is_alone(std::span<const Vec3> centres, const Vec3& p) const {
     return std::ranges::none_of(
         centres, [&](const Vec3& other) { return glm::distance(other, p) < params_.burl_core_mm; });
@@ -213,6 +219,14 @@ void GrowthFields::stop_at_obstacles(const GrowingMesh& mesh, std::vector<Vec3>&
         moves[v] *= std::clamp(part, 0.0, 1.0);
         touches_[v] = 1;
     });
+    // What stops takes the faces round it elsewhere than they were to go.
+    while (stop_entering(mesh, moves))
+        continue;
+    find_contacts(mesh);
+}
+
+// Whether any corner of a face that would reach too deep in had still been moving.
+bool GrowthFields::stop_entering(const GrowingMesh& mesh, std::vector<Vec3>& moves) {
     const auto entering = gather<std::uint32_t>(
         mesh.origin.size() / 3, [&](std::size_t f, std::vector<std::uint32_t>& found) {
             if (mesh.origin[3 * f] == kNone) return;
@@ -222,17 +236,51 @@ void GrowthFields::stop_at_obstacles(const GrowingMesh& mesh, std::vector<Vec3>&
                           mesh.position[v[2]] + moves[v[2]]))
                 found.push_back(static_cast<std::uint32_t>(f));
         });
+    bool stopped = false;
     for (const std::uint32_t f : entering) {
         for (std::uint32_t k = 0; k < 3; ++k) {
             const std::uint32_t v = mesh.origin[3 * f + k];
+            stopped = stopped || moves[v] != Vec3(0);
             moves[v] = Vec3(0);
             touches_[v] = 1;
         }
     }
+    return stopped;
+}
+
+// Of the nearest obstacle.
+Vec3 GrowthFields::outward(const Vec3& p) const {
+    const Solid* nearest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Solid& obstacle : obstacles_) {
+        if (obstacle.step() > step_) continue;
+        const double distance = obstacle.distance(p);
+        if (distance < least) least = distance, nearest = &obstacle;
+    }
+    return nearest == nullptr ? Vec3(0) : nearest->outward(p);
+}
+
+// Centres stand R' apart: nearer ones would add nothing to the largest K at what touches.
+void GrowthFields::find_contacts(const GrowingMesh& mesh) {
+    std::vector<Vec3> touching, outwards, centres;
     for (std::uint32_t v = 0; v < touches_.size(); ++v) {
         if (touches_[v] == 0 || mesh.tissue[v] != Tissue::cambium) continue;
-        if (is_alone(contact_centres_, mesh.position[v]))
-            contact_centres_.push_back(mesh.position[v]);
+        touching.push_back(mesh.position[v]);
+        outwards.push_back(outward(mesh.position[v]));
+        if (is_alone(centres, mesh.position[v])) centres.push_back(mesh.position[v]);
+    }
+    contacts_.clear();
+    for (const Vec3& centre : centres) {
+        Vec3 sum(0);
+        double count = 0;
+        for (std::size_t i = 0; i < touching.size(); ++i) {
+            if (glm::distance(touching[i], centre) >= params_.burl_core_mm) continue;
+            sum += outwards[i];
+            ++count;
+        }
+        if (glm::length(sum) > kOneSided * count)
+            contacts_.push_back({centre, params_.contact_radius_mm, params_.burl_core_mm,
+                                 params_.contact_strength});
     }
 }
 

@@ -30,8 +30,10 @@ class GrowthFields {
                             std::span<const Vec3> normals) const;
 
     // Obstacles: what would enter one stops at its surface, and so do the corners of faces that
-    // would reach deeper in than T_m / 10. Tells who touches: those make burl spheres, none within
-    // R' of each other (the paper has one a contact: they would add up without end) [E].
+    // would reach deeper in than T_m / 10. Tells who touches: those make burl spheres (section 8).
+    // Of these the largest K counts, not the sum of eq. 6: many vertices touch at one contact, and
+    // it is one burl. And they last as long as the contact presses, which the paper has them for:
+    // what lies all round an obstacle pushes it nowhere [E].
     void stop_at_obstacles(const GrowingMesh& mesh, std::vector<Vec3>& moves);
 
     // Whether a face may not lie there.
@@ -55,15 +57,18 @@ class GrowthFields {
     void string_burls(GrowingMesh& mesh, std::span<const Apex> apices);
     void rot(std::int64_t step, GrowingMesh& mesh) const;
     std::vector<BurlSphere> spheres(const GrowingMesh& mesh) const;
+    bool stop_entering(const GrowingMesh& mesh, std::vector<Vec3>& moves);
+    Vec3 outward(const Vec3& p) const;
+    void find_contacts(const GrowingMesh& mesh);
     bool is_at_pith(const GrowingMesh& mesh, std::span<const Apex> apices, std::uint32_t v) const;
     bool is_alone(std::span<const Vec3> centres, const Vec3& p) const;
 
     const SurfaceParams params_;
     std::vector<BurlPlace> places_;  // the user's and the random ones
     std::vector<Centre> centres_;
-    std::vector<Vec3> contact_centres_;
-    std::int64_t strung_ = 0;  // so far
-    std::uint32_t foot_ = 0;   // of the line they lie on: the seed's first corner
+    std::vector<BurlSphere> contacts_;  // that press
+    std::int64_t strung_ = 0;           // so far
+    std::uint32_t foot_ = 0;            // of the line they lie on: the seed's first corner
     std::int64_t step_ = 0;
     std::vector<Solid> hollows_, obstacles_;
     std::vector<std::uint8_t> touches_, near_;

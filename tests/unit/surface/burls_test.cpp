@@ -25,6 +25,15 @@ TEST(BurlGain, WithoutASlopeItIsAStep) {
 }
 
 // By cells as by all against all, in the same order: the same bits.
+TEST(BurlField, TellsTheLargestOfOverlappingSpheres) {
+    const std::vector<BurlSphere> spheres{{{0, 0, 0}, 300, 160, 3}, {{100, 0, 0}, 300, 160, 2}};
+    const BurlField field(spheres);
+    EXPECT_EQ(field.largest({100, 0, 0}), 3);
+    EXPECT_EQ(field.largest({250, 0, 0}), 2);  // of the first a third and less
+    EXPECT_EQ(field.largest({0, 500, 0}), 0);
+    EXPECT_EQ(BurlField({}).largest({0, 0, 0}), 0);
+}
+
 TEST(BurlField, AddsAllSpheresUp) {
     const KeyedRandom random(0, 5, 1);
     std::vector<BurlSphere> spheres;

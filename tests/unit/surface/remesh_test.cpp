@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "surface/crossings.h"
+
 using namespace edaha;
 
 namespace {
@@ -69,6 +71,39 @@ void expect_merged(Tissue a, Tissue b, const Vec3& place, Tissue tissue) {
     EXPECT_EQ(mesh.tissue[v], tissue);
 }
 
+// A block, 200 high, with a groove down to the middle of its top and along all of it. Halfway, the
+// groove's rims have a corner each that faces the other, `wide` from it.
+GrowingMesh grooved_block(double wide) {
+    const double half = wide / 2;
+    const Vec3 outline[] = {{-150, 0, 0}, {150, 0, 0},     {150, 200, 0}, {half, 200, 0},
+                            {0, 100, 0},  {-half, 200, 0}, {-150, 200, 0}};
+    std::vector<Vec3> points(std::begin(outline), std::end(outline));
+    for (const Vec3& p : outline)
+        points.push_back(p + Vec3(0, 0, 120));
+    points.push_back({half, 200, 60});   // 14
+    points.push_back({-half, 200, 60});  // 15
+    std::vector<Triangle> faces{{0, 1, 8},   {0, 8, 7},    {1, 2, 9},   {1, 9, 8},   {6, 0, 7},
+                                {6, 7, 13},  {2, 3, 14},   {2, 14, 9},  {14, 10, 9}, {3, 4, 14},
+                                {4, 11, 14}, {14, 11, 10}, {4, 5, 15},  {4, 15, 11}, {15, 12, 11},
+                                {5, 6, 15},  {15, 6, 13},  {15, 13, 12}};
+    for (const auto& [a, b, c] :
+         {std::tuple(0U, 1U, 4U), std::tuple(1U, 2U, 4U), std::tuple(2U, 3U, 4U),
+          std::tuple(4U, 5U, 6U), std::tuple(4U, 6U, 0U)}) {
+        faces.push_back({a, c, b});
+        faces.push_back({a + 7, b + 7, c + 7});
+    }
+    return growing_mesh(points, faces);
+}
+
+GrowingMesh after_closing(double wide) {
+    GrowingMesh mesh = grooved_block(wide);
+    EXPECT_TRUE(crossing_faces(mesh).empty());
+    remesh(mesh, std::vector<Apex>(1), {.split_mm = 1000, .merge_mm = 70, .flips = false});
+    EXPECT_TRUE(faults(mesh).empty());
+    EXPECT_TRUE(crossing_faces(mesh).empty());
+    return mesh;
+}
+
 }  // namespace
 
 TEST(Remesh, GivesNewVerticesTheTissueOfTable1) {
@@ -90,4 +125,25 @@ TEST(Remesh, MergesVerticesByTable2) {
     expect_merged(kXylem, kCambium, second, kCambium);
     expect_merged(kXylem, kXylem, middle, kXylem);
     EXPECT_EQ(after_merge(kApex, kApex).vertices(), 9U);
+}
+
+TEST(Remesh, ClosesFoldsWhoseFlanksMeet) {
+    const GrowingMesh mesh = after_closing(40);
+    EXPECT_EQ(mesh.vertices(), 15U);
+    EXPECT_NE(vertex_at(mesh, {0, 200, 60}), kNone);  // both corners: a bridge over the groove
+    EXPECT_EQ(vertex_at(mesh, {20, 200, 60}), kNone);
+    EXPECT_EQ(vertex_at(mesh, {-20, 200, 60}), kNone);
+    // No edge is left at the bottom of the fold, below the bridge.
+    const std::uint32_t bottom = vertex_at(mesh, {0, 100, 0});
+    ASSERT_NE(bottom, kNone);
+    mesh.for_each_out(bottom, [&](std::uint32_t h) {
+        EXPECT_NE(mesh.position[mesh.target(h)], Vec3(0, 100, 120));
+    });
+}
+
+TEST(Remesh, LeavesFoldsOpenThatAreWiderThanTheShortestEdge) {
+    const GrowingMesh mesh = after_closing(80);
+    EXPECT_EQ(mesh.vertices(), 16U);
+    EXPECT_NE(vertex_at(mesh, {40, 200, 60}), kNone);
+    EXPECT_NE(vertex_at(mesh, {-40, 200, 60}), kNone);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -170,18 +171,92 @@ TEST(Responses, WoundsCloseWithTheirTendency) {
     }
 }
 
+SolidParams rod_at(double y, double z) {
+    SolidParams rod;
+    rod.from = {-2000, y, z};
+    rod.to = {2000, y, z};
+    rod.radius_mm = 60;
+    return rod;
+}
+
+// Whether a place is within the tree: the solid angles of all faces add up to a full one.
+bool is_within(const GrowingMesh& mesh, const Vec3& p) {
+    double sum = 0;
+    for (std::uint32_t f = 0; f < mesh.origin.size() / 3; ++f) {
+        if (!mesh.is_face(f)) continue;
+        const Vec3 a = mesh.position[mesh.origin[3 * f]] - p,
+                   b = mesh.position[mesh.origin[3 * f + 1]] - p,
+                   c = mesh.position[mesh.origin[3 * f + 2]] - p;
+        const double u = glm::length(a), v = glm::length(b), w = glm::length(c);
+        sum += std::atan2(glm::dot(a, glm::cross(b, c)),
+                          u * v * w + glm::dot(a, b) * w + glm::dot(b, c) * u + glm::dot(c, a) * v);
+    }
+    return std::abs(sum) > std::numbers::pi;  // halves of the angles: 2 pi within
+}
+
+// The part of the rod's surface, before the trunk's middle, that has wood on it.
+double covered_part(const SurfaceGrowth& growth, const SolidParams& rod) {
+    constexpr int kRound = 24, kAlong = 9;
+    constexpr double kLift_mm = 35;  // wood comes close, but does not touch everywhere
+    int covered = 0;
+    for (int i = 0; i < kRound; ++i) {
+        const double angle = 2 * std::numbers::pi * (i + 0.5) / kRound;
+        const Vec3 off(0, std::sin(angle), std::cos(angle));
+        for (int j = 0; j < kAlong; ++j) {
+            const Vec3 on(-200 + 50 * j, rod.from.y, rod.from.z);
+            if (is_within(growth.mesh(), on + off * (rod.radius_mm + kLift_mm))) ++covered;
+        }
+    }
+    return double(covered) / (kRound * kAlong);
+}
+
+// Of ten rods, since lips meet over one sooner or later by chance.
+TEST(Responses, RodsAreCoveredTheMoreTheyAreWrapped) {
+    SurfaceParams params = trunk();
+    params.thickening_mm = 4;
+    params.steps = 125;
+    for (int i = 0; i < 10; ++i)
+        params.obstacles.push_back(rod_at(900 + 203 * i, (i % 2 == 0 ? 1 : -1) * (260 + 7 * i)));
+    double first = 0, before = 0;
+    for (const double wrapping : {0.0, 0.5, 1.0, 2.0}) {
+        params.wrapping = wrapping;
+        const SurfaceGrowth growth = grown(params);
+        double covered = 0;
+        for (const SolidParams& rod : params.obstacles)
+            covered += covered_part(growth, rod) / double(params.obstacles.size());
+        EXPECT_GE(covered, before) << wrapping;
+        before = covered;
+        if (wrapping == 0) first = covered;
+    }
+    EXPECT_GT(before, first + 0.01);
+}
+
+// The many contacts along a rod are one burl: it goes along the rod at (1 + k) S_c at most.
+TEST(Responses, ContactsAlongARodDoNotAddUp) {
+    SurfaceParams params = trunk();
+    params.thickening_mm = 4;
+    params.obstacles.push_back(rod_at(1400, 300));
+    SurfaceGrowth growth(params, KeyedRandom(1, 1, 1));
+    const auto half_width = [&](std::int64_t steps) {
+        while (growth.steps() < steps)
+            growth.step();
+        double most = 0;
+        for (const Vec3& p : vertices(growth))
+            if (std::abs(p.y - 1400) < 200) most = std::max(most, std::abs(p.x));
+        return most;
+    };
+    const double before = half_width(110), after = half_width(160);
+    EXPECT_GT(after, before);
+    EXPECT_LT(after - before, 50 * (1 + params.contact_strength) * params.thickening_mm);
+}
+
 // Of a trunk that stands against a rod: how far the growth of what touches nothing points to what
-// does beside it (eq. 10), on average. How soon a rod is swallowed does not follow from that alone:
-// lips that come to it sooner stop at it sooner.
+// does beside it (eq. 10), on average.
 TEST(Responses, LipsTurnToTheObstacleTheMoreTheyWrap) {
     SurfaceParams params = trunk(60);
     params.thickening_mm = 8;
     params.wrapping = 0;
-    SolidParams rod;
-    rod.from = {-2000, 1400, 300};
-    rod.to = {2000, 1400, 300};
-    rod.radius_mm = 60;
-    params.obstacles.push_back(rod);
+    params.obstacles.push_back(rod_at(1400, 300));
     params.steps = 75;
     const SurfaceGrowth growth = grown(params);
     GrowingMesh mesh = growth.mesh();
