@@ -25,6 +25,12 @@ constexpr double kSway = 0.05;
 constexpr double kShortestTile = 0.6, kLongestTile = 1.4;
 // Beyond that many strokes on one part the tile is laid larger: they could not be told apart.
 constexpr double kMostLines = 40'000;
+// Strokes nearer to each other than this share of what the tile has are thinned out.
+constexpr double kCrowded = 0.6;
+// No nearer than this: they would be one dark patch.
+constexpr double kLeastSpacing_px = 4;
+// No triangle has more room: seen straight it is 1, and twice that only where places are distorted.
+constexpr double kMostRoom = 2;
 // Part of a rank that is chance, so that copies keep different strokes.
 constexpr double kChance = 0.3;
 
@@ -55,14 +61,16 @@ double middle_length(std::vector<std::pair<double, double>>& lengths) {
 
 class CoverLayer {
   public:
-    CoverLayer(const Mesh& mesh, const View& view, const BarkTile& tile, double units_per_mm,
-               double thinnest_units)
-        : mesh_(mesh),
-          view_(view),
-          tile_(tile),
-          units_per_mm_(units_per_mm),
-          thinnest_(thinnest_units),
-          extents_(mesh.parts.size()) {}
+    CoverLayer(const Mesh& mesh, const View& view, const BarkTile& tile, const CoverParams& params)
+        : mesh_(mesh), view_(view), tile_(tile), params_(params), extents_(mesh.parts.size()) {
+        for (const BarkLine& line : tile.lines) {
+            for (const Vec2 p : line.points) {
+                const Vec2 at = p / Vec2(tile.width_mm, tile.height_mm);
+                strokes_.low = glm::min(strokes_.low, at);
+                strokes_.high = glm::max(strokes_.high, at);
+            }
+        }
+    }
 
     std::vector<PartCover> run() {
         for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
@@ -136,14 +144,14 @@ class CoverLayer {
         }
         const Vec2 range = extent.high - extent.low;
         const double width = (cover.around > 0 ? cover.around / std::numbers::pi : range.x);
-        if (!(width * cover.size.x > thinnest_)) return cover;
+        if (!(width * cover.size.x > params_.thinnest_units)) return cover;
         choose_tile(cover, range);
         lay(cover, extent, name_key(mesh_.parts[part].name));
         return cover;
     }
 
     void choose_tile(PartCover& cover, Vec2 range) const {
-        const Vec2 size = Vec2(tile_.width_mm, tile_.height_mm) * units_per_mm_ / cover.size;
+        const Vec2 size = Vec2(tile_.width_mm, tile_.height_mm) * params_.units_per_mm / cover.size;
         const Vec2 copies = glm::max(range / size, Vec2(1));
         const double count = copies.x * copies.y * double(tile_.lines.size()) / kMostLines;
         const double scale = std::max(1.0, count);  // one side alone may be long
@@ -156,16 +164,21 @@ class CoverLayer {
     }
 
     void lay(PartCover& cover, const UvExtent& extent, Key key) const {
-        const auto first = [](double a) { return static_cast<std::int64_t>(std::floor(a)) - 1; };
-        std::int64_t left = first(extent.low.x / cover.tile.x);
-        std::int64_t right = first(extent.high.x / cover.tile.x) + 2;
+        // Copies of which a stroke may come that far, swayed by two waves.
+        const auto first = [&](double low, int axis) {
+            return static_cast<std::int64_t>(
+                std::ceil(low / cover.tile[axis] - strokes_.high[axis] - 2 * kSway));
+        };
+        const auto last = [&](double high, int axis) {
+            return static_cast<std::int64_t>(
+                std::floor(high / cover.tile[axis] - strokes_.low[axis] + 2 * kSway));
+        };
+        std::int64_t left = first(extent.low.x, 0), right = last(extent.high.x, 0);
         if (cover.around > 0) {
             left = 0;
             right = static_cast<std::int64_t>(std::floor(cover.around / cover.tile.x + 0.5)) - 1;
         }
-        const std::int64_t low = first(extent.low.y / cover.tile.y);
-        const std::int64_t high = first(extent.high.y / cover.tile.y) + 2;
-        for (std::int64_t row = low; row <= high; ++row) {
+        for (std::int64_t row = first(extent.low.y, 1); row <= last(extent.high.y, 1); ++row) {
             for (std::int64_t column = left; column <= right; ++column)
                 lay_copy(cover, key, column, row);
         }
@@ -175,11 +188,13 @@ class CoverLayer {
         const Key own = step(step(key, static_cast<Key>(column)), static_cast<Key>(row));
         const Vec2 scale = cover.tile / Vec2(tile_.width_mm, tile_.height_mm);
         const Vec2 corner = cover.tile * Vec2(double(column), double(row));
+        const double most = crowd_demand(params_.spacing_px, cover.squeeze, kMostRoom);
         for (std::uint32_t i = 0; i < tile_.lines.size(); ++i) {
             LaidLine line;
             line.line = i;
             line.rank = (1 - kChance) * (i + 0.5) / double(tile_.lines.size()) +
                         kChance * fraction(step(own, i));
+            if (line.rank >= most) continue;
             for (const Vec2 p : tile_.lines[i].points)
                 line.places.push_back(swayed(cover, key, corner + p * scale));
             cover.lines.push_back(std::move(line));
@@ -207,16 +222,25 @@ class CoverLayer {
     const Mesh& mesh_;
     const View& view_;
     const BarkTile& tile_;
-    double units_per_mm_, thinnest_;
+    const CoverParams params_;
+    struct {
+        Vec2 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
+    } strokes_;  // of the tile, in tiles
     std::vector<UvExtent> extents_;
 };
 
 }  // namespace
 
+double crowd_demand(double spacing_px, double squeeze, double room) {
+    return std::min(room * std::min(1.0, squeeze) / kCrowded,
+                    spacing_px * squeeze * room / kLeastSpacing_px);
+}
+
 std::vector<PartCover> lay_bark(const Mesh& mesh, const View& view, const BarkTile& tile,
-                                double units_per_mm, double thinnest_units) {
-    if (mesh.uv.size() != mesh.triangles.size() || tile.empty() || !(units_per_mm > 0)) return {};
-    return CoverLayer(mesh, view, tile, units_per_mm, thinnest_units).run();
+                                const CoverParams& params) {
+    if (mesh.uv.size() != mesh.triangles.size() || tile.empty() || !(params.units_per_mm > 0))
+        return {};
+    return CoverLayer(mesh, view, tile, params).run();
 }
 
 }  // namespace edaha

@@ -27,11 +27,21 @@ struct PartCover {
     std::vector<LaidLine> lines;
 };
 
-// `units_per_mm`: of the tile, in lengths of the mesh's unit. As many tiles go round a part as come
-// nearest to that. Copies are swayed by smooth noise that closes round the part, so that none is
-// like the next. Parts narrower than `thinnest_units` and those of leaves and bare wood stay empty.
-// By names of parts, not their order. O(triangles + strokes).
+// What share of strokes there is room for where they lie `squeeze` and, as they are seen, `room`
+// times as near to each other as the tile's, which lie `spacing_px` apart; above 1: for all.
+double crowd_demand(double spacing_px, double squeeze, double room);
+
+struct CoverParams {
+    double units_per_mm = 1;    // of the tile, in lengths of the mesh's unit
+    double thinnest_units = 0;  // parts narrower than that stay empty
+    double spacing_px = 1e9;    // of the tile's strokes, seen straight
+};
+
+// As many tiles go round a part as come nearest to their size. Copies are swayed by smooth noise
+// that closes round the part, so that none is like the next. Parts of leaves and bare wood stay
+// empty, and strokes are left out for which there is room nowhere. By names of parts, not their
+// order. O(triangles + strokes).
 std::vector<PartCover> lay_bark(const Mesh& mesh, const View& view, const BarkTile& tile,
-                                double units_per_mm, double thinnest_units);
+                                const CoverParams& params);
 
 }  // namespace edaha

@@ -16,10 +16,6 @@
 namespace edaha {
 namespace {
 
-// Strokes nearer to each other than this share of what the tile has are thinned out.
-constexpr double kCrowded = 0.6;
-// No nearer than this: they would be one dark patch.
-constexpr double kLeastSpacing_px = 4;
 // How obliquely a surface may be seen: below the first nothing is drawn, above the second all.
 constexpr Range kFacing{0.06, 0.22};
 // Over how much of the demand a stroke swells from nothing to its width: less, and ends are blunt;
@@ -85,9 +81,7 @@ class StrokeMaker {
 
   private:
     double demand_at(const BarkPiece& piece, double t) const {
-        const double spacing = trace_.spacing_px * cover_.squeeze * piece.room;
-        const double crowd = std::min(piece.room * std::min(1.0, cover_.squeeze) / kCrowded,
-                                      spacing / kLeastSpacing_px);
+        const double crowd = crowd_demand(trace_.spacing_px, cover_.squeeze, piece.room);
         const double facing =
             smooth_step((piece.facing - kFacing.low) / (kFacing.high - kFacing.low));
         return std::min(1.0, crowd) * facing *
@@ -228,8 +222,9 @@ std::vector<TileStroke> trace_tile(const Scene& scene, const BarkTile& tile,
     TileTrace trace{scene, tile, params, 1 / place.mm_per_px, {}, 1};
     const double units_per_mm = trace.px_per_mm / px_per_unit;
     trace.spacing_px = mean_spacing_mm(tile) * params.bark_scale * trace.px_per_mm;
-    trace.covers = lay_bark(scene.mesh, scene.view, tile, units_per_mm * params.bark_scale,
-                            units_per_mm * kThinnestTwig_mm);
+    trace.covers = lay_bark(
+        scene.mesh, scene.view, tile,
+        {units_per_mm * params.bark_scale, units_per_mm * kThinnestTwig_mm, trace.spacing_px});
     const std::vector<BarkWay> ways = cross_bark(scene, trace.covers, px_per_unit);
     return gather_chunks<TileStroke>(ways.size(), 64,
                                      [&](std::size_t i, std::vector<TileStroke>& found) {

@@ -210,7 +210,7 @@ TEST(LayBark, TakesAWholeNumberOfTilesRoundAPart) {
         FlattenParams params = plain();
         StepClock clock;
         const SeenMesh seen = see_mesh(mesh, params, clock);
-        const PartCover cover = lay_bark(mesh, seen.view, upright_lines(1), 1, 0).front();
+        const PartCover cover = lay_bark(mesh, seen.view, upright_lines(1), {}).front();
         EXPECT_NEAR(cover.around, 2 * std::numbers::pi * radius, 1e-9);
         const double count = cover.around / cover.tile.x;
         EXPECT_NEAR(count, std::round(count), 1e-9);
