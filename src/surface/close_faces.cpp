@@ -23,8 +23,8 @@ struct Extent {
     double low, high;
 };
 
-Extent reach_of(const Ways& ways, std::uint32_t v, const Vec3& axis) {
-    const double by = glm::dot(ways.growth[v], axis), aside = glm::dot(ways.slides[v], axis);
+Extent reach_of(const StepPlan& plan, std::uint32_t v, const Vec3& axis) {
+    const double by = glm::dot(plan.growth[v], axis), aside = glm::dot(plan.slides[v], axis);
     return {std::min(0.0, by) + std::min(0.0, aside), std::max(0.0, by) + std::max(0.0, aside)};
 }
 
@@ -71,14 +71,14 @@ RoundCorner round_corner(const GrowingMesh& mesh, const FacePair& pair,
     return around;
 }
 
-double steps_before_split(const RoundCorner& around, const Ways& ways, const Vec3& square) {
+double steps_before_split(const RoundCorner& around, const StepPlan& plan, const Vec3& square) {
     const double length = glm::length(square);
     if (length < 1e-9) return 0;
     const Vec3 axis = square / length;
-    const Extent own = reach_of(ways, around.middle, axis);
+    const Extent own = reach_of(plan, around.middle, axis);
     double steps = kForEver;
     for (std::size_t i = 0; i < 4; ++i) {
-        const Extent reach = reach_of(ways, around.corners[i], axis);
+        const Extent reach = reach_of(plan, around.corners[i], axis);
         const double closing = i < 2 ? own.high - reach.low : reach.high - own.low;
         steps = std::min(steps, lasting(glm::dot(around.at[i], axis), closing));
     }
@@ -87,18 +87,18 @@ double steps_before_split(const RoundCorner& around, const Ways& ways, const Vec
 
 // The plane that is furthest from all four is square to the way to what is nearest of the
 // tetrahedron between them.
-double steps_round(const RoundCorner& around, const Ways& ways, double enough) {
+double steps_round(const RoundCorner& around, const StepPlan& plan, double enough) {
     Vec3 sum(0), nearest(1e9);
     for (const Vec3& at : around.at)
         sum += at;
-    const double steps = steps_before_split(around, ways, sum);
+    const double steps = steps_before_split(around, plan, sum);
     if (steps >= enough) return steps;
     for (std::size_t i = 0; i < 4; ++i) {
         const Vec3 found =
             nearest_point({around.at[i], around.at[(i + 1) % 4], around.at[(i + 2) % 4]}, Vec3(0));
         if (glm::dot(found, found) < glm::dot(nearest, nearest)) nearest = found;
     }
-    return std::max(steps, steps_before_split(around, ways, nearest));
+    return std::max(steps, steps_before_split(around, plan, nearest));
 }
 
 // Where a face is along an axis, and how much wider it may get there in a step.
@@ -106,12 +106,13 @@ struct FaceExtent {
     Extent at, more;
 };
 
-FaceExtent extent_of(const GrowingMesh& mesh, const Ways& ways, std::uint32_t f, const Vec3& axis) {
+FaceExtent extent_of(const GrowingMesh& mesh, const StepPlan& plan, std::uint32_t f,
+                     const Vec3& axis) {
     FaceExtent extent{{kForEver, -kForEver}, {0, 0}};
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t v = mesh.origin[3 * f + k];
         const double at = glm::dot(mesh.position[v], axis);
-        const Extent reach = reach_of(ways, v, axis);
+        const Extent reach = reach_of(plan, v, axis);
         extent.at = {std::min(extent.at.low, at), std::max(extent.at.high, at)};
         extent.more = {std::min(extent.more.low, reach.low),
                        std::max(extent.more.high, reach.high)};
@@ -119,10 +120,10 @@ FaceExtent extent_of(const GrowingMesh& mesh, const Ways& ways, std::uint32_t f,
     return extent;
 }
 
-double steps_between(const GrowingMesh& mesh, const Ways& ways, const FacePair& pair,
+double steps_between(const GrowingMesh& mesh, const StepPlan& plan, const FacePair& pair,
                      const Vec3& axis) {
-    const FaceExtent one = extent_of(mesh, ways, pair[0], axis),
-                     other = extent_of(mesh, ways, pair[1], axis);
+    const FaceExtent one = extent_of(mesh, plan, pair[0], axis),
+                     other = extent_of(mesh, plan, pair[1], axis);
     return std::max(lasting(one.at.low - other.at.high, other.more.high - one.more.low),
                     lasting(other.at.low - one.at.high, one.more.high - other.more.low));
 }
@@ -133,11 +134,11 @@ Vec3 middle_of(const GrowingMesh& mesh, std::uint32_t f) {
            3.0;
 }
 
-FaceBox box_of_way(const GrowingMesh& mesh, const Ways& ways, std::uint32_t f, double more_mm) {
+FaceBox box_of_way(const GrowingMesh& mesh, const StepPlan& plan, std::uint32_t f, double more_mm) {
     Vec3 low(std::numeric_limits<double>::infinity()), high = -low;
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t v = mesh.origin[3 * f + k];
-        const Vec3 &here = mesh.position[v], &by = ways.growth[v], &aside = ways.slides[v];
+        const Vec3 &here = mesh.position[v], &by = plan.growth[v], &aside = plan.slides[v];
         low = glm::min(low, here + glm::min(by, Vec3(0)) + glm::min(aside, Vec3(0)));
         high = glm::max(high, here + glm::max(by, Vec3(0)) + glm::max(aside, Vec3(0)));
     }
@@ -155,8 +156,8 @@ double speed_of(const GrowingMesh& mesh, std::span<const Vec3> moves, std::uint3
 }
 
 // What was close before and whose first face rests: looked at again when it may no longer be clear.
-std::vector<ClosePair> still_close(const GrowingMesh& mesh, std::span<const Vec3> of_faces,
-                                   const Ways& ways, std::span<const ClosePair> before) {
+std::vector<ClosePair> still_close(const GrowingMesh& mesh, const StepPlan& plan,
+                                   std::span<const ClosePair> before) {
     constexpr double kEnough = 8;
     return gather<ClosePair>(before.size(), [&](std::size_t i, std::vector<ClosePair>& found) {
         ClosePair pair = before[i];
@@ -168,32 +169,33 @@ std::vector<ClosePair> still_close(const GrowingMesh& mesh, std::span<const Vec3
             --pair.clear;
         else
             pair.clear = static_cast<std::uint8_t>(
-                std::min(kEnough, clear_steps(mesh, of_faces, ways, pair.faces, kEnough)));
+                std::min(kEnough, clear_steps(mesh, plan, pair.faces, kEnough)));
         found.push_back(pair);
     });
 }
 
 }  // namespace
 
-std::vector<FaceBox> boxes_of_ways(const GrowingMesh& mesh, const Ways& ways, double more_mm) {
+std::vector<FaceBox> boxes_of_ways(const GrowingMesh& mesh, const StepPlan& plan, double more_mm) {
     std::vector<FaceBox> boxes(mesh.origin.size() / 3);
     for_each_index(boxes.size(), kWorthThreads, [&](std::size_t i) {
         const auto f = static_cast<std::uint32_t>(i);
-        if (mesh.is_face(f)) boxes[i] = box_of_way(mesh, ways, f, more_mm);
+        if (mesh.is_face(f)) boxes[i] = box_of_way(mesh, plan, f, more_mm);
     });
     return boxes;
 }
 
-double clear_steps(const GrowingMesh& mesh, std::span<const Vec3> of_faces, const Ways& ways,
-                   const FacePair& pair, double enough) {
+double clear_steps(const GrowingMesh& mesh, const StepPlan& plan, const FacePair& pair,
+                   double enough) {
     const SharedCorner shared = shared_corner(mesh, pair);
     if (shared.count > 1) return kForEver;
-    if (shared.count == 1) return steps_round(round_corner(mesh, pair, shared), ways, enough);
+    if (shared.count == 1) return steps_round(round_corner(mesh, pair, shared), plan, enough);
     const Vec3 way = middle_of(mesh, pair[0]) - middle_of(mesh, pair[1]);
     const double length = glm::length(way);
-    double steps = length > 0 ? steps_between(mesh, ways, pair, way / length) : 0;
+    double steps = length > 0 ? steps_between(mesh, plan, pair, way / length) : 0;
     for (const std::uint32_t f : pair)
-        if (steps < enough) steps = std::max(steps, steps_between(mesh, ways, pair, of_faces[f]));
+        if (steps < enough)
+            steps = std::max(steps, steps_between(mesh, plan, pair, plan.of_faces[f]));
     return steps;
 }
 
@@ -217,9 +219,8 @@ void wake_fast(GrowingMesh& mesh, std::span<const Vec3> growth, double fast_mm) 
     });
 }
 
-std::vector<ClosePair> close_faces(GrowingMesh& mesh, std::span<const Vec3> of_faces,
-                                   const Ways& ways, const FaceGrid& grid,
-                                   const CloseParams& params, std::vector<ClosePair> before) {
+std::vector<ClosePair> close_faces(GrowingMesh& mesh, const StepPlan& plan, const FaceGrid& grid,
+                                   const CloseParams& params) {
     constexpr std::size_t kChunk = 64;  // faces look at dozens of others each
     const auto is_awake = [&](std::uint32_t f) {
         return params.is_watched[f] != 0 && mesh.face_rest[f] == 0;
@@ -232,19 +233,19 @@ std::vector<ClosePair> close_faces(GrowingMesh& mesh, std::span<const Vec3> of_f
     std::vector<std::uint8_t> rests(awake.size(), 0);
     const auto look = [&](std::size_t i, std::vector<ClosePair>& found) {
         const std::uint32_t f = awake[i];
-        const double growth = speed_of(mesh, ways.growth, f);
+        const double growth = speed_of(mesh, plan.growth, f);
         const double more = growth > params.rest.fast_mm ? 0 : params.rest.horizon_mm;
-        rests[i] = steps_of_rest(more, growth + speed_of(mesh, ways.slides, f), params.rest);
+        rests[i] = steps_of_rest(more, growth + speed_of(mesh, plan.slides, f), params.rest);
         const double enough = rests[i] + 1.0;
-        const FaceBox box = box_of_way(mesh, ways, f, more);
+        const FaceBox box = box_of_way(mesh, plan, f, more);
         grid.visit(box, [&](std::uint32_t g) {
             if (g == f || (g < f && is_awake(g)) || !box.meets(params.boxes[g])) return;
-            const double steps = clear_steps(mesh, of_faces, ways, {f, g}, enough);
+            const double steps = clear_steps(mesh, plan, {f, g}, enough);
             if (steps <= enough) found.push_back({{f, g}, static_cast<std::uint8_t>(steps)});
         });
     };
     std::vector<ClosePair> pairs = gather<ClosePair>(awake.size(), look, kChunk);
-    const std::vector<ClosePair> kept = still_close(mesh, of_faces, ways, before);
+    const std::vector<ClosePair> kept = still_close(mesh, plan, params.before);
     pairs.insert(pairs.end(), kept.begin(), kept.end());
     for (std::uint8_t& rest : mesh.face_rest)
         rest -= rest > 0;

@@ -18,20 +18,21 @@ struct ClosePair {
     std::uint8_t clear = 0;
 };
 
-// How vertices may go within a step: any part of their growth and any part of their slide.
-struct Ways {
-    std::span<const Vec3> growth, slides;
+// A step as it is planned: the normals of faces and vertices, and how vertices may go within it,
+// any part of their growth and any part of their slide.
+struct StepPlan {
+    std::span<const Vec3> of_faces, normals, growth, slides;
 };
 
 // Round all that faces pass on their ways, and `more_mm` round that.
-std::vector<FaceBox> boxes_of_ways(const GrowingMesh& mesh, const Ways& ways, double more_mm);
+std::vector<FaceBox> boxes_of_ways(const GrowingMesh& mesh, const StepPlan& plan, double more_mm);
 
-// For how many steps, each like this one, two faces with these normals can't pass through each
-// other: a plane stays between them, whatever parts of their ways their corners go. Never too many;
-// too few where none of the planes tried is the best one, which need not be more than `enough`.
-// Infinite for faces that share an edge: they do not count (see triangles_cross).
-double clear_steps(const GrowingMesh& mesh, std::span<const Vec3> of_faces, const Ways& ways,
-                   const FacePair& pair, double enough);
+// For how many steps, each like this one, two faces can't pass through each other: a plane stays
+// between them, whatever parts of their ways their corners go. Never too many; too few where none
+// of the planes tried is the best one, which need not be more than `enough`. Infinite for faces
+// that share an edge: they do not count (see triangles_cross).
+double clear_steps(const GrowingMesh& mesh, const StepPlan& plan, const FacePair& pair,
+                   double enough);
 
 // What is slow rests while nothing can meet it, so that most of a large tree need not be looked at
 // in most steps [E].
@@ -51,14 +52,14 @@ struct CloseParams {
     RestParams rest = {};
     std::span<const std::uint8_t> is_watched = {};  // a face
     std::span<const FaceBox> boxes = {};            // a face: of its way, as in the grid
+    std::span<const ClosePair> before = {};         // what was found a step ago
 };
 
 // The pairs of a watched face and any other one that may pass through each other within a step or
 // while the first rests: all that do not stay clear of each other so long. Those of a face that
-// rests are those that it had `before`. All faces get their new rest. Parallel; O(watched).
-std::vector<ClosePair> close_faces(GrowingMesh& mesh, std::span<const Vec3> of_faces,
-                                   const Ways& ways, const FaceGrid& grid,
-                                   const CloseParams& params, std::vector<ClosePair> before);
+// rests are those that it had before. All faces get their new rest. Parallel; O(watched).
+std::vector<ClosePair> close_faces(GrowingMesh& mesh, const StepPlan& plan, const FaceGrid& grid,
+                                   const CloseParams& params);
 
 // Of those the ones that may pass through each other in this step.
 std::vector<FacePair> closest(std::span<const ClosePair> pairs);

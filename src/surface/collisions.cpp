@@ -38,12 +38,12 @@ double approach_of(const GrowingMesh& mesh, std::span<const Vec3> moves, std::ui
 
 class Lookout {
   public:
-    Lookout(const GrowingMesh& mesh, std::span<const Vec3> of_faces, std::span<const Vec3> normals,
-            std::span<const Vec3> moves, const FaceGrid& grid, const FacingParams& params)
+    Lookout(const GrowingMesh& mesh, const StepPlan& plan, const FaceGrid& grid,
+            const FacingParams& params)
         : mesh_(mesh),
-          of_faces_(of_faces),
-          normals_(normals),
-          moves_(moves),
+          of_faces_(plan.of_faces),
+          normals_(plan.normals),
+          moves_(plan.growth),
           grid_(grid),
           params_(params) {}
 
@@ -245,19 +245,20 @@ std::vector<std::uint8_t> watched_faces(const GrowingMesh& mesh, std::span<const
     return is_watched;
 }
 
-void wake_before(GrowingMesh& mesh, std::span<const Vec3> normals, const Ways& ways,
-                 const FaceGrid& grid, std::span<const std::uint32_t> apices, double near_mm) {
+void wake_before(GrowingMesh& mesh, const StepPlan& plan, const FaceGrid& grid,
+                 const FacingParams& params) {
     constexpr std::size_t kChunk = 32;  // each looks at dozens of faces
     const auto is_before = [&](std::uint32_t v, const Vec3& p) {
         const Vec3 way = p - mesh.position[v];
-        return glm::dot(way, normals[v]) > kAhead * glm::length(way);
+        return glm::dot(way, plan.normals[v]) > kAhead * glm::length(way);
     };
     const auto woken = gather<std::uint32_t>(
-        apices.size(),
+        params.apices.size(),
         [&](std::size_t i, std::vector<std::uint32_t>& found) {
-            const Vec3 &from = mesh.position[apices[i]], to = from + ways.growth[apices[i]];
+            const Vec3 &from = mesh.position[params.apices[i]],
+                       to = from + plan.growth[params.apices[i]];
             grid.visit(
-                box_round(glm::min(from, to) - near_mm, glm::max(from, to) + near_mm),
+                box_round(glm::min(from, to) - params.near_mm, glm::max(from, to) + params.near_mm),
                 [&](std::uint32_t f) {
                     for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
                         const std::uint32_t v = mesh.origin[h];
@@ -271,12 +272,11 @@ void wake_before(GrowingMesh& mesh, std::span<const Vec3> normals, const Ways& w
         mesh.vertex_rest[v] = 0;
 }
 
-Facing facing_pairs(const GrowingMesh& mesh, std::span<const Vec3> of_faces,
-                    std::span<const Vec3> normals, const Ways& ways, const FaceGrid& grid,
+Facing facing_pairs(const GrowingMesh& mesh, const StepPlan& plan, const FaceGrid& grid,
                     const FacingParams& params) {
     Facing facing;
     facing.rest.assign(mesh.position.size(), 0);
-    const Lookout lookout(mesh, of_faces, normals, ways.growth, grid, params);
+    const Lookout lookout(mesh, plan, grid, params);
     facing.pairs = gather<FacingPair>(mesh.position.size(), [&](std::size_t i, auto& found) {
         const auto v = static_cast<std::uint32_t>(i);
         const std::uint8_t rest = mesh.vertex_rest[v];
@@ -285,10 +285,10 @@ Facing facing_pairs(const GrowingMesh& mesh, std::span<const Vec3> of_faces,
     return facing;
 }
 
-std::vector<std::uint32_t> keep_apart(const GrowingMesh& mesh, const Facing& facing,
-                                      std::span<const Vec3> normals, const FaceGrid& grid,
-                                      const ApartParams& params, std::vector<Vec3>& moves) {
-    shorten_approaches(mesh, facing.pairs, params.least_mm, moves);
+std::vector<std::uint32_t> keep_apart(const GrowingMesh& mesh, std::span<const Vec3> normals,
+                                      const FaceGrid& grid, const ApartParams& params,
+                                      std::vector<Vec3>& moves) {
+    shorten_approaches(mesh, params.pairs, params.least_mm, moves);
     std::vector<Passing> now = passing_pairs(mesh, moves, params.closest);
     const std::vector<Passing> more =
         passing_faces(mesh, moves, grid, faces_round(mesh, params.off_their_ways));

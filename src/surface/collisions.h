@@ -22,6 +22,7 @@ struct FacingPair {
 struct FacingParams {
     double near_mm = 35;
     RestParams rest = {};
+    std::span<const std::uint32_t> apices = {};  // vertices: those that grow
 };
 
 // What may meet within a step.
@@ -35,13 +36,11 @@ struct Facing {
 
 // Ends the rest of vertices before which one of the apices is, or will be within the step, nearer
 // than `near_mm`: those it grazes look at it, not it at them. Parallel; O(apices).
-void wake_before(GrowingMesh& mesh, std::span<const Vec3> normals, const Ways& ways,
-                 const FaceGrid& grid, std::span<const std::uint32_t> apices, double near_mm);
+void wake_before(GrowingMesh& mesh, const StepPlan& plan, const FaceGrid& grid,
+                 const FacingParams& params);
 
-// Vertices that rest are in no pair. `grid` is of the ways of all faces.
-// Parallel; O(vertices).
-Facing facing_pairs(const GrowingMesh& mesh, std::span<const Vec3> of_faces,
-                    std::span<const Vec3> normals, const Ways& ways, const FaceGrid& grid,
+// Vertices that rest are in no pair. `grid` is of the ways of all faces. Parallel; O(vertices).
+Facing facing_pairs(const GrowingMesh& mesh, const StepPlan& plan, const FaceGrid& grid,
                     const FacingParams& params);
 
 // A face: whether it may pass through others: near an apex, xylem or a pair, at a sharp fold or
@@ -51,20 +50,21 @@ std::vector<std::uint8_t> watched_faces(const GrowingMesh& mesh, std::span<const
                                         std::span<const std::uint32_t> suspects);
 
 struct ApartParams {
-    double least_mm = 17;                    // of pairs
-    double retreat_mm = 2;                   // of faces that pass through each other
+    double least_mm = 17;   // of pairs
+    double retreat_mm = 2;  // of faces that pass through each other
+    std::span<const FacingPair> pairs = {};
     std::span<const FacePair> closest = {};  // faces that may pass through each other
     // Vertices that have drawn back within the step, and so left their ways.
     std::span<const std::uint32_t> off_their_ways = {};
 };
 
-// Shortens moves, parts of the ways that `facing` was found for, so that no pair comes nearer than
+// Shortens moves, parts of the ways that pairs were found for, so that none comes nearer than
 // `least_mm`, and that no two close faces begin to pass through each other; those that do so
 // already draw back against their normals [E]. The mesh hangs together as it did when the pairs
 // were found. Returns the vertices that drew back, sorted. O(pairs).
-std::vector<std::uint32_t> keep_apart(const GrowingMesh& mesh, const Facing& facing,
-                                      std::span<const Vec3> normals, const FaceGrid& grid,
-                                      const ApartParams& params, std::vector<Vec3>& moves);
+std::vector<std::uint32_t> keep_apart(const GrowingMesh& mesh, std::span<const Vec3> normals,
+                                      const FaceGrid& grid, const ApartParams& params,
+                                      std::vector<Vec3>& moves);
 
 // Whether v can be reached from `from` along at most two edges.
 bool within_two_rings(const GrowingMesh& mesh, std::uint32_t from, std::uint32_t v);

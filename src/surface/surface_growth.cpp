@@ -137,12 +137,13 @@ void SurfaceGrowth::fuse() {
     for (int round = 0; round <= kFusionRounds; ++round) {
         plan_moves();
         wake_fast(mesh_, moves_, rest.fast_mm);
-        const Ways ways{moves_, slides_};
-        boxes = boxes_of_ways(mesh_, ways, kRetreat * params_.merge_mm);
+        const StepPlan plan{of_faces_, normals_, moves_, slides_};
+        boxes = boxes_of_ways(mesh_, plan, kRetreat * params_.merge_mm);
         grid_.put_all(boxes);
-        wake_before(mesh_, normals_, ways, grid_, growing_apices(), kMeeting * params_.merge_mm);
-        facing_ = facing_pairs(mesh_, of_faces_, normals_, ways, grid_,
-                               {kMeeting * params_.merge_mm, rest});
+        const std::vector<std::uint32_t> growing = growing_apices();
+        const FacingParams how{kMeeting * params_.merge_mm, rest, growing};
+        wake_before(mesh_, plan, grid_, how);
+        facing_ = facing_pairs(mesh_, plan, grid_, how);
         mesh_.vertex_rest = facing_.rest;  // what is in a pair does not rest
         if (round == kFusionRounds) break;
         const Fusions fusions =
@@ -159,17 +160,17 @@ void SurfaceGrowth::fuse() {
 void SurfaceGrowth::watch(std::span<const FaceBox> boxes, const RestParams& rest) {
     const std::vector<std::uint8_t> is_watched =
         watched_faces(mesh_, of_faces_, facing_.pairs, suspects_);
-    close_ = close_faces(mesh_, of_faces_, {moves_, slides_}, grid_, {rest, is_watched, boxes},
-                         std::move(close_));
+    close_ = close_faces(mesh_, {of_faces_, normals_, moves_, slides_}, grid_,
+                         {rest, is_watched, boxes, close_});
     closest_ = closest(close_);
     suspects_.clear();
 }
 
 void SurfaceGrowth::stay_apart(std::vector<Vec3>& moves) {
     const std::vector<std::uint32_t> back =
-        keep_apart(mesh_, facing_, normals_, grid_,
-                   {kApart * params_.merge_mm, kRetreat * params_.merge_mm / (parts_ + 1), closest_,
-                    suspects_},
+        keep_apart(mesh_, normals_, grid_,
+                   {kApart * params_.merge_mm, kRetreat * params_.merge_mm / (parts_ + 1),
+                    facing_.pairs, closest_, suspects_},
                    moves);
     suspects_.insert(suspects_.end(), back.begin(), back.end());
 }

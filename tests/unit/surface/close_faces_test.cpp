@@ -39,7 +39,8 @@ struct TwoFaces {
         if (shared == 2) new_face(mesh, 2, 1, 3);
     }
     double clear() const {
-        return clear_steps(mesh, face_normals(mesh), {growth, slides}, {0, 1}, 100);
+        const std::vector<Vec3> normals = face_normals(mesh);
+        return clear_steps(mesh, {normals, {}, growth, slides}, {0, 1}, 100);
     }
     // Whether they pass through each other once all corners have gone parts of that many steps.
     bool cross(const KeyedRandom& random, std::uint32_t key, double steps) const {

@@ -27,16 +27,16 @@ struct Scene {
         for (Vec3& move : moves)
             move *= speed_mm;
     }
-    Ways ways() const { return {moves, slides}; }
+    StepPlan plan() const { return {of_faces, normals, moves, slides}; }
     Facing facing(double near_mm, const RestParams& rest = {}) {
-        grid.put_all(boxes_of_ways(mesh, ways(), 2));
-        return facing_pairs(mesh, of_faces, normals, ways(), grid, {near_mm, rest});
+        grid.put_all(boxes_of_ways(mesh, plan(), 2));
+        return facing_pairs(mesh, plan(), grid, {near_mm, rest, {}});
     }
     // Of those that `watched` may pass through others.
     std::vector<FacePair> close(std::span<const FacingPair> pairs) {
         const std::vector<std::uint8_t> watched = watched_faces(mesh, of_faces, pairs, {});
-        const std::vector<FaceBox> boxes = boxes_of_ways(mesh, ways(), 2);
-        return closest(close_faces(mesh, of_faces, ways(), grid, {{}, watched, boxes}, {}));
+        const std::vector<FaceBox> boxes = boxes_of_ways(mesh, plan(), 2);
+        return closest(close_faces(mesh, plan(), grid, {{}, watched, boxes, {}}));
     }
 };
 
@@ -99,7 +99,7 @@ TEST(FacingPairs, AreFoundInTimeThoughMostVerticesRest) {
 TEST(KeepApart, LeavesTheLeastDistance) {
     Scene scene(two_blocks(1), 70);
     const Facing facing = scene.facing(35);
-    keep_apart(scene.mesh, facing, scene.normals, scene.grid, {20, 2, {}, {}}, scene.moves);
+    keep_apart(scene.mesh, scene.normals, scene.grid, {20, 2, facing.pairs, {}, {}}, scene.moves);
     double low = 0, high = 1e9;
     for (std::uint32_t v = 0; v < scene.mesh.position.size(); ++v) {
         const double before = scene.mesh.position[v].y, after = before + scene.moves[v].y;
@@ -124,7 +124,7 @@ TEST(KeepApart, LetsNoWatchedFacePassThroughAnother) {
     GrowingMesh moved = scene.mesh;
     moved.position[v] += scene.moves[v];
     EXPECT_FALSE(crossing_faces(moved).empty());
-    keep_apart(scene.mesh, {}, scene.normals, scene.grid, {1, 2, close, {}}, scene.moves);
+    keep_apart(scene.mesh, scene.normals, scene.grid, {1, 2, {}, close, {}}, scene.moves);
     moved.position[v] = scene.mesh.position[v] + scene.moves[v];
     EXPECT_TRUE(crossing_faces(moved).empty());
 }

@@ -40,9 +40,9 @@ Fusions grow_cambium(GrowingMesh& mesh, int steps) {
         std::vector<Vec3> moves = moves_of(normals), slides(moves.size(), Vec3(0));
         std::vector<FaceBox> boxes;
         const auto face = [&] {
-            boxes = boxes_of_ways(mesh, {moves, slides}, 3.5);
+            boxes = boxes_of_ways(mesh, {of_faces, normals, moves, slides}, 3.5);
             grid.put_all(boxes);
-            return facing_pairs(mesh, of_faces, normals, {moves, slides}, grid, {});
+            return facing_pairs(mesh, {of_faces, normals, moves, slides}, grid, {});
         };
         Facing facing = face();
         const Fusions now = fuse_facing(mesh, apices, facing.pairs, normals, {{}, &grid});
@@ -55,11 +55,12 @@ Fusions grow_cambium(GrowingMesh& mesh, int steps) {
         facing = face();
         mesh.vertex_rest = facing.rest;
         const auto watched = watched_faces(mesh, of_faces, facing.pairs, suspects);
-        close = close_faces(mesh, of_faces, {moves, slides}, grid, {{}, watched, boxes},
-                            std::move(close));
+        close = close_faces(mesh, {of_faces, normals, moves, slides}, grid,
+                            {{}, watched, boxes, close});
         mesh.last = mesh.position;
         limit_moves(mesh, of_faces, moves);
-        suspects = keep_apart(mesh, facing, normals, grid, {17.5, 3.5, closest(close), {}}, moves);
+        suspects =
+            keep_apart(mesh, normals, grid, {17.5, 3.5, facing.pairs, closest(close), {}}, moves);
         for (std::size_t v = 0; v < moves.size(); ++v)
             mesh.position[v] += moves[v];
         remesh(mesh, apices, {150, 70, 0, true, &grid});
@@ -169,8 +170,9 @@ TEST(FuseFacing, PinsBudsAndXylem) {
     std::vector<Apex> apices(1);
     const std::vector<Vec3> slides(normals.size(), Vec3(0));
     FaceGrid grid(300, 0);
-    grid.put_all(boxes_of_ways(mesh, {normals, slides}, 0));
-    const Facing facing = facing_pairs(mesh, of_faces, normals, {normals, slides}, grid, {150, {}});
+    grid.put_all(boxes_of_ways(mesh, {of_faces, normals, normals, slides}, 0));
+    const Facing facing =
+        facing_pairs(mesh, {of_faces, normals, normals, slides}, grid, {150, {}, {}});
     const Fusions fusions = fuse_facing(mesh, apices, facing.pairs, normals);
     EXPECT_EQ(fusions.sewn, 0U);
     EXPECT_GE(fusions.pinned, 18U);  // 3 x 3 inner vertices of each side
