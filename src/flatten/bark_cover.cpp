@@ -61,7 +61,8 @@ double middle_length(std::vector<std::pair<double, double>>& lengths) {
 
 class CoverLayer {
   public:
-    CoverLayer(const Mesh& mesh, const View& view, const BarkTile& tile, const CoverParams& params)
+    CoverLayer(const Mesh& mesh, const View& view, const BarkTile& tile,
+               const BarkCoverParams& params)
         : mesh_(mesh), view_(view), tile_(tile), params_(params), extents_(mesh.parts.size()) {
         for (const BarkLine& line : tile.lines) {
             for (const Vec2 p : line.points) {
@@ -222,7 +223,7 @@ class CoverLayer {
     const Mesh& mesh_;
     const View& view_;
     const BarkTile& tile_;
-    const CoverParams params_;
+    const BarkCoverParams params_;
     struct {
         Vec2 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
     } strokes_;  // of the tile, in tiles
@@ -237,7 +238,7 @@ double crowd_demand(double spacing_px, double squeeze, double room) {
 }
 
 std::vector<PartCover> lay_bark(const Mesh& mesh, const View& view, const BarkTile& tile,
-                                const CoverParams& params) {
+                                const BarkCoverParams& params) {
     if (mesh.uv.size() != mesh.triangles.size() || tile.empty() || !(params.units_per_mm > 0))
         return {};
     return CoverLayer(mesh, view, tile, params).run();

@@ -31,7 +31,7 @@ struct PartCover {
 // times as near to each other as the tile's, which lie `spacing_px` apart; above 1: for all.
 double crowd_demand(double spacing_px, double squeeze, double room);
 
-struct CoverParams {
+struct BarkCoverParams {
     double units_per_mm = 1;    // of the tile, in lengths of the mesh's unit
     double thinnest_units = 0;  // parts narrower than that stay empty
     double spacing_px = 1e9;    // of the tile's strokes, seen straight
@@ -42,6 +42,6 @@ struct CoverParams {
 // empty, and strokes are left out for which there is room nowhere. By names of parts, not their
 // order. O(triangles + strokes).
 std::vector<PartCover> lay_bark(const Mesh& mesh, const View& view, const BarkTile& tile,
-                                const CoverParams& params);
+                                const BarkCoverParams& params);
 
 }  // namespace edaha
