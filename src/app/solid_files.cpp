@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/solid_files.h"
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "app/mesh_file.h"
 #include "mesh/mesh_check.h"
@@ -15,6 +18,8 @@ namespace edaha {
 namespace {
 
 using SharedMesh = std::shared_ptr<const Mesh>;
+
+constexpr double kNoVolume = 1e-9;  // sheets laid double, to rounding; a wire has more
 
 [[noreturn]] void refuse(const std::string& file, std::string message) {
     throw InputError(std::vector<Problem>{{{file, 0, 0}, std::move(message)}});
@@ -42,6 +47,23 @@ std::vector<std::string> leaks(const Mesh& mesh) {
     return report.lines();
 }
 
+// In parts of the cube of its size.
+double volume_share(const Mesh& mesh) {
+    double six_volumes = 0;
+    Vec3 low = mesh.points.front(), high = low;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Vec3 from = mesh.points[a] - mesh.points.front();
+        six_volumes += glm::dot(from, glm::cross(mesh.points[b] - mesh.points.front(),
+                                                 mesh.points[c] - mesh.points.front()));
+        for (const std::uint32_t v : {a, b, c}) {
+            low = glm::min(low, mesh.points[v]);
+            high = glm::max(high, mesh.points[v]);
+        }
+    }
+    const double size = glm::distance(low, high);
+    return size > 0 ? std::abs(six_volumes) / (6 * size * size * size) : 0;
+}
+
 SharedMesh read_solid(const std::string& file) {
     if (!mesh_format_of_file(file)) refuse(file, "the ending is no mesh (expected obj or ply)");
     Mesh mesh = as_one_part(read_mesh_file(file).input.mesh);
@@ -49,6 +71,7 @@ SharedMesh read_solid(const std::string& file) {
     const std::vector<std::string> wrong = leaks(mesh);
     if (!wrong.empty())
         refuse(file, fmt::format("the mesh bounds no solid: {}", fmt::join(wrong, ", ")));
+    if (volume_share(mesh) < kNoVolume) refuse(file, "the mesh bounds no solid: it has no volume");
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 

@@ -112,6 +112,7 @@ TEST_F(SurfaceCommands, DrawsObstaclesFromFilesBesideTheStyle) {
 TEST_F(SurfaceCommands, RefusesFilesThatAreNoSolids) {
     write("open.obj", kOpen);
     write("crowded.obj", kCube + "v 9 9 300\nf 5 6 9\n");
+    write("sheet.obj", "v 0 0 0\nv 900 0 0\nv 0 900 0\nf 1 2 3\nf 1 3 2\n");
     write("text.obj", "hello\n");
     write("text.ply", "hello\n");
     write("cube.stl", "solid cube\n");
@@ -121,6 +122,7 @@ TEST_F(SurfaceCommands, RefusesFilesThatAreNoSolids) {
         expect("edaha check walled.xml", 1, err, "");
     };
     expect_refused("open.obj", "open.obj: the mesh bounds no solid: 8 open edges\n");
+    expect_refused("sheet.obj", "sheet.obj: the mesh bounds no solid: it has no volume\n");
     expect_refused("crowded.obj",
                    "crowded.obj: the mesh bounds no solid: 2 open edges, "
                    "1 edge of more than two triangles\n");
