@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 
 #include <glm/geometric.hpp>
@@ -24,6 +25,28 @@ constexpr std::array<const char*, kSprigParts> kSprigPartNames{"stem", "inner", 
 // Leaves whose far end is nearer to the foot than this part of the sprig's reach are inner ones:
 // less and all tufts are flat, more and they are dark.
 constexpr double kInner = 0.62;
+
+// A stem begins with this part of its width and has all of it so many widths on: the twig that it
+// stands on may be thinner than it, and a wider foot would stick out behind that with its corners.
+constexpr double kFootWidth = 0.25;
+constexpr double kFootLength = 4;
+
+// Of wood that rises from the origin; y down.
+void narrow_foot(std::vector<Shape>& wood) {
+    constexpr double kAtFoot_mm = 0.05;  // as it leans, one corner is that much higher
+    double half = 0;
+    for (const Shape& shape : wood) {
+        for (const Vec2 point : shape.path.points)
+            if (point.y > -kAtFoot_mm) half = std::max(half, std::abs(point.x));
+    }
+    if (half == 0) return;
+    for (Shape& shape : wood) {
+        for (Vec2& point : shape.path.points) {
+            const double t = std::clamp(-point.y / (2 * half * kFootLength), 0.0, 1.0);
+            point.x *= kFootWidth + (1 - kFootWidth) * t * (2 - t);
+        }
+    }
+}
 
 void transform(Path& path, const Affine& map) {
     for (Vec2& point : path.points)
@@ -96,6 +119,7 @@ class SprigGrower {
         for (const Layer& layer : draw_wood(limbs, look_, style_.palette).front)
             take_paths(layer.children, wood);
         parts[0] = united(wood);
+        narrow_foot(parts[0]);
         for (const Ornament& ornament : ornaments_)
             add(ornament, limbs, variant, parts);
         to_length(parts);

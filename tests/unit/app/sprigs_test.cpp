@@ -71,6 +71,30 @@ SprigLayers placed(std::span<const SprigPlace> places, const SprigParams& params
     return place_sprigs(places, {0, 1}, params, test_inks(), {-0.5, -0.7, 0.5}, {1, 1, 1});
 }
 
+// How wide wood is there, across a small range of heights: the points of its outline.
+double width_near(const Symbol& stem, double low, double high) {
+    double left = 0, right = 0;
+    for (const Shape& shape : stem.shapes) {
+        for (const Vec2 point : shape.path.points) {
+            if (-point.y < low || -point.y > high) continue;
+            left = std::min(left, point.x);
+            right = std::max(right, point.x);
+        }
+    }
+    return right - left;
+}
+
+// A wide foot would stick out behind a twig that is thinner.
+TEST(Sprigs, HaveStemsThatBeginThin) {
+    const std::vector<Symbol> sprigs = grow_sprigs(sprig_style(), load_leaf);
+    for (std::size_t variant = 0; variant < 3; ++variant) {
+        const Symbol& stem = sprigs[variant * kSprigParts];
+        const double foot = width_near(stem, -1, 0.02), above = width_near(stem, 0.3, 2.5);
+        EXPECT_GT(foot, 0);
+        EXPECT_LT(foot, 0.5 * above) << variant;
+    }
+}
+
 TEST(Sprigs, AreOfThreePartsThatTogetherReachAsFarAsALeaf) {
     const std::vector<Symbol> sprigs = grow_sprigs(sprig_style(), load_leaf);
     ASSERT_EQ(sprigs.size(), 3 * kSprigParts);
