@@ -258,6 +258,7 @@ std::uint32_t new_vertex(GrowingMesh& mesh) {
     if (!mesh.free_vertices.empty()) {
         const std::uint32_t v = mesh.free_vertices.back();
         mesh.free_vertices.pop_back();
+        mesh.name[v] = mesh.names++;
         return v;
     }
     const auto v = static_cast<std::uint32_t>(mesh.position.size());
@@ -269,6 +270,7 @@ std::uint32_t new_vertex(GrowingMesh& mesh) {
     mesh.travel.push_back(0);
     mesh.phloem_up.push_back(kNone);
     mesh.phloem_down.push_back(kNone);
+    mesh.name.push_back(mesh.names++);
     mesh.is_bud.push_back(0);
     mesh.vertex_rest.push_back(0);
     mesh.out.push_back(kNone);

@@ -28,6 +28,7 @@ struct GrowingMesh {
     std::vector<double> travel;            // how far its apex had come when it was made, mm
     std::vector<std::uint32_t> phloem_up;  // the next vertex of its phloem line, or kNone
     std::vector<std::uint32_t> phloem_down;
+    std::vector<std::uint32_t> name;        // its own, whatever its number becomes: by its making
     std::vector<std::uint8_t> is_bud;       // waits to become an apex: never merged away
     std::vector<std::uint8_t> vertex_rest;  // for so many steps nothing comes near; 0 if it is new
     std::vector<std::uint32_t> out;         // a half-edge that leaves it; kNone: free
@@ -37,6 +38,7 @@ struct GrowingMesh {
     std::vector<std::uint8_t> face_rest;  // a face: for so many steps it stays clear of all others
     // Free places, the last freed first.
     std::vector<std::uint32_t> free_vertices, free_faces;
+    std::uint32_t names = 0;  // given so far
 
     static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
     static std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }

@@ -88,6 +88,7 @@ void reorder_vertices(GrowingMesh& mesh, const std::vector<Place>& order,
     reorder(mesh.travel, order);
     reorder(mesh.phloem_up, order);
     reorder(mesh.phloem_down, order);
+    reorder(mesh.name, order);
     reorder(mesh.is_bud, order);
     reorder(mesh.vertex_rest, order);
     reorder(mesh.out, order);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -174,12 +175,20 @@ class SurfaceMesher {
             }
         }
         const std::vector<Vec3> normals = vertex_normals(mesh_, face_normals(mesh_));
-        for (std::uint32_t v = 0; v < mesh_.position.size(); ++v) {
+        for (const std::uint32_t v : by_name()) {
             if (face_of[v] == kNone || mesh_.tissue[v] == Tissue::xylem) continue;
-            const Key key = step(step(name_key("sprig"), mesh_.branch[v]), v);
+            const Key key = step(step(name_key("sprig"), mesh_.branch[v]), mesh_.name[v]);
             const double share = mesh_.tissue[v] == Tissue::apex ? 1 : share_of_sprigs(v, areas[v]);
             if (random_.uniform(key, surface::kSprig) < share) add_site(v, face_of[v], normals[v]);
         }
+    }
+
+    // The vertices as they were made, so that sprigs stay what they are while the tree grows on.
+    std::vector<std::uint32_t> by_name() const {
+        std::vector<std::uint32_t> order(mesh_.position.size());
+        std::iota(order.begin(), order.end(), 0U);
+        std::ranges::sort(order, {}, [&](std::uint32_t v) { return mesh_.name[v]; });
+        return order;
     }
 
     // By its area; on thin twigs, which have little of that, by its edges' length.
