@@ -144,8 +144,7 @@ void remove_piece(GrowingMesh& mesh, const std::vector<std::uint32_t>& piece) {
         for (std::uint32_t k = 0; k < 3; ++k)
             vertices.push_back(mesh.origin[3 * f + k]);
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sort_once(vertices);
     for (const std::uint32_t f : piece)
         free_face(mesh, f);
     for (const std::uint32_t v : vertices)
@@ -159,8 +158,7 @@ bool remove_bubble(GrowingMesh& mesh, std::uint32_t f, std::size_t most) {
     return true;
 }
 
-// Whether the lid of a cut there would pass through a face. Lids of cuts just made are not in the
-// grid; those lie further off, or share an edge with it.
+// Whether the lid of a cut there would pass through a face.
 bool is_blocked(const GrowingMesh& mesh, const FaceGrid& grid, const Cycle& cycle) {
     const Corners lid{mesh.position[mesh.origin[cycle[0]]], mesh.position[mesh.origin[cycle[1]]],
                       mesh.position[mesh.origin[cycle[2]]]};
@@ -232,6 +230,10 @@ Channels close_channels(GrowingMesh& mesh, const ChannelParams& params) {
         const std::uint32_t twin = cut_cycle(mesh, (*cycle)[0], (*cycle)[1], (*cycle)[2]);
         ++channels.cut;
         const std::uint32_t left = mesh.twin[edge.h] / 3, right = mesh.out[twin] / 3;
+        for (const std::uint32_t lid : {left, right}) {
+            const Corners t = corners_of(mesh, lid);
+            if (params.grid) params.grid->put(lid, box_round(t[0], t[1], t[2]));
+        }
         if (remove_bubble(mesh, left, params.most_faces)) ++channels.bubbles;
         if (mesh.is_face(right) && remove_bubble(mesh, right, params.most_faces))
             ++channels.bubbles;

@@ -17,8 +17,8 @@ std::uint32_t cut_cycle(GrowingMesh& mesh, std::uint32_t h, std::uint32_t g, std
 struct ChannelParams {
     double narrow_mm = 70;          // T_m: of the shortest of the three edges
     std::size_t most_faces = 2000;  // of a bubble
-    const FaceGrid* grid =
-        nullptr;  // of the mesh: nothing is cut where a lid would pass through it
+    // Of the mesh, and goes on being so: nothing is cut where a lid would pass through a face.
+    FaceGrid* grid = nullptr;
 };
 
 struct Channels {

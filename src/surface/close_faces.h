@@ -37,7 +37,7 @@ double clear_steps(const GrowingMesh& mesh, const StepPlan& plan, const FacePair
 // What is slow rests while nothing can meet it, so that most of a large tree need not be looked at
 // in most steps [E].
 struct RestParams {
-    double fast_mm = 5;      // a step: what grows faster never rests, and looks out for the rest
+    double fast_mm = 5;      // a step: what grows faster never rests
     double horizon_mm = 35;  // how far is looked beyond what the step needs
 };
 

@@ -20,8 +20,9 @@ constexpr std::size_t kWorthThreads = 2000;
 // What is met lies within 72 degrees of the normal (cosine): what slides past at the side is none
 // of this vertex's business, but of one that looks there.
 constexpr double kAhead = 0.3;
-// Faces at an edge that turns more sharply than that (cosines; a ridge of thin wood is no fold) may
-// pass through what is near.
+// Faces at an edge that turns more sharply than that (cosines) may pass through what is near.
+// Ridges count from right angles on, and a little less: through the other side of a thin square
+// twig a vertex comes by sliding along it.
 constexpr double kSharpFold = 0.5;
 constexpr double kSharpRidge = 0.15;
 // After so many rounds all that could still pass through each other has been stopped, in practice.

@@ -51,8 +51,8 @@ class FaceGrid {
     // Faces get these numbers, kNone where they go.
     void renumber(std::span<const std::uint32_t> number);
 
-    // Calls visit(face) for each face whose box meets this one, once, in an order that depends on
-    // the calls alone that made the grid.
+    // Calls visit(face) for each face whose box meets this one, once (those in more than 64 cells
+    // perhaps again), in an order that depends on the calls alone that made the grid.
     template <typename Visit>
     void visit(const FaceBox& box, const Visit& visit) const;
 

@@ -80,18 +80,10 @@ std::vector<Place> face_order(const GrowingMesh& mesh, const std::vector<std::ui
 
 void reorder_vertices(GrowingMesh& mesh, const std::vector<Place>& order,
                       const std::vector<std::uint32_t>& number) {
-    reorder(mesh.position, order);
-    reorder(mesh.last, order);
-    reorder(mesh.tissue, order);
-    reorder(mesh.branch, order);
-    reorder(mesh.thickening, order);
-    reorder(mesh.travel, order);
-    reorder(mesh.phloem_up, order);
-    reorder(mesh.phloem_down, order);
-    reorder(mesh.name, order);
-    reorder(mesh.is_bud, order);
-    reorder(mesh.vertex_rest, order);
-    reorder(mesh.out, order);
+    const auto reorder_all = [&](auto&... values) { (reorder(values, order), ...); };
+    reorder_all(mesh.position, mesh.last, mesh.tissue, mesh.branch, mesh.thickening, mesh.travel,
+                mesh.phloem_up, mesh.phloem_down, mesh.name, mesh.is_bud, mesh.vertex_rest,
+                mesh.out);
     for (std::uint32_t v = 0; v < order.size(); ++v) {
         mesh.phloem_up[v] = at(number, mesh.phloem_up[v]);
         mesh.phloem_down[v] = at(number, mesh.phloem_down[v]);

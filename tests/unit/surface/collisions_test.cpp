@@ -32,7 +32,7 @@ struct Scene {
         grid.put_all(boxes_of_ways(mesh, plan(), 2));
         return facing_pairs(mesh, plan(), grid, {near_mm, rest, {}});
     }
-    // Of those that `watched` may pass through others.
+    // Faces that may pass through each other within a step.
     std::vector<FacePair> close(std::span<const FacingPair> pairs) {
         const std::vector<std::uint8_t> watched = watched_faces(mesh, of_faces, pairs, {});
         const std::vector<FaceBox> boxes = boxes_of_ways(mesh, plan(), 2);

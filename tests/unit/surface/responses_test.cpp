@@ -262,7 +262,7 @@ TEST(Responses, LipsTurnToTheObstacleTheMoreTheyWrap) {
     GrowingMesh mesh = growth.mesh();
     const std::vector<Vec3> normals = vertex_normals(mesh, face_normals(mesh));
     double before = 0;
-    for (const double wrapping : {0.0, 1.0, 2.0}) {
+    for (const double wrapping : {0.0, 0.5, 1.0, 2.0}) {
         params.wrapping = wrapping;
         GrowthFields fields(params, KeyedRandom(1, 1, 1));
         fields.begin(growth.steps(), mesh, growth.apices(), normals);
