@@ -77,6 +77,7 @@ void FaceGrid::put_all(std::span<const FaceBox> boxes) {
 }
 
 void FaceGrid::renumber(std::span<const std::uint32_t> number) {
+    make_room(number.size());
     for (std::uint32_t f = 0; f < boxes_.size(); ++f)
         if (f >= number.size() || number[f] == kNone) put(f, {});
     for_each_index(buckets_.size(), kWorthThreads, [&](std::size_t bucket) {
@@ -84,7 +85,7 @@ void FaceGrid::renumber(std::span<const std::uint32_t> number) {
             entry.face = number[entry.face];
     });
     std::vector<FaceBox> boxes(boxes_.size());
-    for (std::uint32_t f = 0; f < std::min(boxes_.size(), number.size()); ++f)
+    for (std::uint32_t f = 0; f < number.size(); ++f)
         if (number[f] != kNone) boxes[number[f]] = boxes_[f];
     boxes_ = std::move(boxes);
 }

@@ -288,7 +288,8 @@ void GrowthFields::renumber(std::span<const std::uint32_t> vertex) {
     for (Centre& centre : centres_)
         centre.vertex = vertex[centre.vertex];
     if (foot_ != kNone) foot_ = vertex[foot_];
-    std::vector<std::uint8_t> touches(touches_.size(), 0);
+    // More vertices may have come since than touched or not.
+    std::vector<std::uint8_t> touches(vertex.size(), 0);
     for (std::size_t v = 0; v < touches_.size(); ++v)
         if (touches_[v] != 0 && vertex[v] != kNone) touches[vertex[v]] = 1;
     touches_ = std::move(touches);

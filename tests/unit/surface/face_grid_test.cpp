@@ -60,6 +60,28 @@ TEST(FaceGrid, FindsEachPairOnce) {
     EXPECT_EQ(found, expected);
 }
 
+// Numbers may be higher than all that the grid has seen, and none may be given.
+TEST(FaceGrid, FindsFacesByTheirNewNumbers) {
+    FaceGrid grid(100, 5);
+    const auto box_at = [](double x) { return box_round(Vec3(x, 0, 0), Vec3(x + 50, 50, 50)); };
+    for (std::uint32_t f = 0; f < 4; ++f)
+        grid.put(f, box_at(1000 * f));
+    std::vector<std::uint32_t> number(2500, kNone);
+    number[0] = 2400, number[1] = 0, number[3] = 7;
+    grid.renumber(number);
+    const auto found = [&](double x) {
+        std::vector<std::uint32_t> faces;
+        grid.visit(box_at(x), [&](std::uint32_t f) { faces.push_back(f); });
+        return faces;
+    };
+    EXPECT_EQ(found(0), std::vector<std::uint32_t>{2400});
+    EXPECT_EQ(found(1000), std::vector<std::uint32_t>{0});
+    EXPECT_TRUE(found(2000).empty());
+    EXPECT_EQ(found(3000), std::vector<std::uint32_t>{7});
+    grid.put(2400, {});
+    EXPECT_TRUE(found(0).empty());
+}
+
 // Faces that come, creep, jump and go: what is found is what a new grid finds, and with slack no
 // less than that.
 TEST(FaceGrid, FollowsFacesThatChange) {
